@@ -61,7 +61,7 @@ void ElementShape(ElementType type, const PetscReal xi[], PetscReal phi[], Petsc
    [out] points - [n][ElementDim]; [out] weights - [n], summing to the reference measure */
 PetscInt QuadratureRule(ElementType type, PetscInt degree, PetscReal points[], PetscReal weights[]);
 
-/* n Gauss-Legendre points on [0,1], n = 1..8: exact to degree 2n-1. Returns n. */
+/* n Gauss-Legendre points on [0,1], n = 1..8, 12 or 16: exact to degree 2n-1. Returns n. */
 PetscInt QuadratureLine(PetscInt n, PetscReal points[], PetscReal weights[]);
 
 /* Geometry at xi of a cell with nodes at X: x and the gradients d phi_i / d x_k (either may be NULL); returns det J.

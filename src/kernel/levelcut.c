@@ -1,10 +1,13 @@
 /* levelcut.c -- integrals of functions that jump or bend where known functions are zero.
 
-   A cell is a unit cube, simplices by rays from a vertex. In a box of it a coordinate is looked for along which all of these
+   A cell is a unit cube, or the part of one that a plane cuts off. In a box of it a coordinate is looked for along which all of these
    functions rise, fall or stay. Lines along it are cut at the zeros and have Gauss rules between them. What they give is a smooth function
    of the other coordinates between the zeros of functions of these, and so on. A box without such a coordinate, or on which rules
-   with more points do not agree, is halved. Towards a zero the integrand may be a root: it goes away with points at squares of the
-   distance. */
+   with more points do not agree, is halved. Towards a zero, on the line or shortly beyond it, the integrand may be a root: it goes away
+   with points at squares of the distance.
+
+   The plane is one more function, which meets all others. Tetrahedra that curved surfaces cross are better parted into four hexahedra,
+   pictures of the unit cube, one at each vertex. */
 #include "base/compat.h"
 #include "kernel/levelsets.h"
 
@@ -12,15 +15,16 @@ enum {
   STACK          = 64,
   MAX_DEPTH      = 45, /* halves of a cell, of all coordinates together */
   MAX_BASE_DEPTH = 24, /* of the coordinates that lines do not have */
-  RULES          = 3
+  MAX_POINTS     = 16, /* of a rule */
+  RULES          = 4
 };
 
 /* Points of Gauss rules that are compared: where something is cut, and where nothing is. */
-static const PetscInt CUT_POINTS[RULES] = {4, 6, 8}, WHOLE_POINTS[RULES] = {4, 5, 8};
+static const PetscInt CUT_POINTS[RULES] = {4, 8, 12, 16}, WHOLE_POINTS[RULES] = {4, 6, 8, 12};
 /* What all boxes together may be wrong by is shared by so many of them. */
-static const PetscReal BOX_SHARE = 1. / 16.;
+static const PetscReal BOX_SHARE = 1. / 8.;
 /* Rules that differ by more, compared with what they may, are not followed by another one. */
-static const PetscReal HOPELESS = 1e6;
+static const PetscReal HOPELESS = 1e8;
 /* Pieces of less length are not looked at. */
 static const PetscReal SHORTEST = 1e-15;
 
@@ -64,24 +68,32 @@ static PetscErrorCode LevelCutEvaluate_Private(Cut *cut, const LevelSetBox *box,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The point at p in [0,1] of a piece, nearer to ends that are zeros; returns ds/dp. [in] zero - whether ends are [2] */
-static PetscReal PiecePoint_Private(const PetscReal ends[], const PetscBool zero[], PetscReal p, PetscReal *s)
+/* The point at p in [0,1] of a piece, nearer to zeros at its ends or beyond them, from which roots go away; returns ds/dp.
+   [in] zero - infinite where there is none [2] */
+static PetscReal PiecePoint_Private(const PetscReal ends[], const PetscReal zero[], PetscReal p, PetscReal *s)
 {
-  const PetscReal length = ends[1] - ends[0], q = 1. - p;
+  const PetscReal length = ends[1] - ends[0];
+  const PetscReal before = PetscMax(ends[0] - zero[0], 0.), after = PetscMax(zero[1] - ends[1], 0.);
+  const PetscBool is[2] = {(PetscBool)(zero[0] > PETSC_NINFINITY), (PetscBool)(zero[1] < PETSC_INFINITY)};
+  PetscReal       first, last, q;
 
+  if (is[0] && is[1]) {
+    const PetscReal all = before + length + after;
+
+    first = PetscAsinReal(PetscSqrtReal(before / all));
+    last  = PetscAcosReal(PetscSqrtReal(after / all));
+    q     = first + p * (last - first);
+    *s    = zero[0] + all * PetscSqr(PetscSinReal(q));
+    return (last - first) * all * PetscSinReal(2. * q);
+  }
+  if (is[0] || is[1]) { // zero +- q^2
+    first = PetscSqrtReal(is[0] ? before : after + length);
+    last  = PetscSqrtReal(is[0] ? before + length : after);
+    q     = first + p * (last - first);
+    *s    = is[0] ? zero[0] + q * q : zero[1] - q * q;
+    return 2. * q * PetscAbsReal(last - first);
+  }
   *s = ends[0] + p * length;
-  if (zero[0] && zero[1]) {
-    *s = ends[0] + p * p * (3. - 2. * p) * length;
-    return 6. * p * q * length;
-  }
-  if (zero[0]) {
-    *s = ends[0] + p * p * length;
-    return 2. * p * length;
-  }
-  if (zero[1]) {
-    *s = ends[1] - q * q * length;
-    return 2. * q * length;
-  }
   return length;
 }
 
@@ -90,15 +102,18 @@ static PetscErrorCode LevelCutLine_Private(Cut *cut, const LevelSetBox *box, Pet
                                            PetscReal value[])
 {
   const PetscInt size = cut->cell.cubature->size;
-  PetscReal      ends[LEVELSET_MAX_ZEROS], s[CUBATURE_MAX_GAUSS], w[CUBATURE_MAX_GAUSS], v[CUBATURE_MAX_SIZE];
+  PetscReal      ends[LEVELSET_MAX_ZEROS], s[MAX_POINTS], w[MAX_POINTS], v[CUBATURE_MAX_SIZE];
+  PetscReal      beyond[2] = {PETSC_NINFINITY, PETSC_INFINITY};
   PetscInt       num;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(value, size));
   QuadratureLine(cut->points, s, w);
   PetscCall(LevelSetBoxZeros(&cut->cell, box, line, u, &num, ends));
+  if (cut->roots) PetscCall(LevelSetBoxBeyond(&cut->cell, box, line, u, beyond));
   for (PetscInt j = 0; j < num; j++) {
-    const PetscBool zero[2] = {(PetscBool)(cut->roots && j > 0), (PetscBool)(cut->roots && j + 1 < num)};
+    const PetscReal zero[2] = {j > 0 && cut->roots ? ends[j] : beyond[0],
+                               j + 1 < num && cut->roots ? ends[j + 1] : beyond[1]};
 
     u[line] = 0.5 * (ends[j] + ends[j + 1]);
     if (ends[j + 1] - ends[j] <= SHORTEST || (!box->around && LevelCutIsOutside_Private(cut, u))) continue;
@@ -115,7 +130,7 @@ static PetscErrorCode LevelCutLine_Private(Cut *cut, const LevelSetBox *box, Pet
 /* Adds the integral over a box without functions. */
 static PetscErrorCode LevelCutProduct_Private(Cut *cut, const LevelSetBox *box, PetscReal value[])
 {
-  PetscReal s[CUBATURE_MAX_GAUSS], w[CUBATURE_MAX_GAUSS], u[LEVELSET_MAX_DIM], v[CUBATURE_MAX_SIZE];
+  PetscReal s[MAX_POINTS], w[MAX_POINTS], u[LEVELSET_MAX_DIM], v[CUBATURE_MAX_SIZE];
   PetscInt  total = 1;
 
   PetscFunctionBeginUser;
@@ -195,13 +210,12 @@ static PetscReal LevelCutDifference_Private(const Cubature *cubature, const Pets
   return most;
 }
 
-/* The integral over a box of the cell by rules with more and more points. [out] miss - what the last one may be wrong by: it differs
-   from the one before, and falls as differences do */
+/* The integral over a box of the cell by rules with more and more points. [out] miss - what the last two differ by */
 static PetscErrorCode LevelCutCompare_Private(Cut *cut, const LevelSetBox *box, const LevelSetTrend *trend,
                                               PetscReal value[], PetscReal *miss)
 {
   const Cubature *cubature = cut->cell.cubature;
-  PetscReal       finer[CUBATURE_MAX_SIZE], last = -1.;
+  PetscReal       finer[CUBATURE_MAX_SIZE];
 
   PetscFunctionBeginUser;
   *miss = PETSC_MAX_REAL;
@@ -209,12 +223,7 @@ static PetscErrorCode LevelCutCompare_Private(Cut *cut, const LevelSetBox *box, 
     cut->points = box->num ? CUT_POINTS[r] : WHOLE_POINTS[r];
     PetscCall(PetscArrayzero(finer, cubature->size));
     PetscCall(LevelCutBox_Private(cut, box, trend, 0, finer));
-    if (r > 0) {
-      const PetscReal difference = LevelCutDifference_Private(cubature, value, finer);
-
-      *miss = last > 0. ? difference * PetscMin(1., difference / last) : difference;
-      last  = difference;
-    }
+    if (r > 0) *miss = LevelCutDifference_Private(cubature, value, finer);
     PetscCall(PetscArraycpy(value, finer, cubature->size));
     if (r > 0 && (*miss <= BOX_SHARE || *miss > HOPELESS * BOX_SHARE || cubature->count > cubature->budget)) break;
   }
@@ -252,7 +261,7 @@ static PetscErrorCode LevelCutFindRough_Private(Cut *cut, const LevelSetBox *box
 
     for (PetscInt l = 0; l < box->dim; l++) u[l] = 0.5 * (box->lower[l] + box->upper[l]);
     for (PetscInt r = 0; r < 2; r++) {
-      PetscReal s[CUBATURE_MAX_GAUSS], w[CUBATURE_MAX_GAUSS], v[CUBATURE_MAX_SIZE];
+      PetscReal s[MAX_POINTS], w[MAX_POINTS], v[CUBATURE_MAX_SIZE];
 
       QuadratureLine(CUT_POINTS[r], s, w);
       for (PetscInt q = 0; q < CUT_POINTS[r]; q++) {
@@ -321,19 +330,130 @@ static PetscErrorCode LevelCutParts_Private(Cut *cut, Part stack[], PetscReal va
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CubatureSwitches(Cubature *cubature, PetscReal value[], PetscReal *error)
+/* The integral over a cell as the unit cube or its part. */
+static PetscErrorCode LevelCutCell_Private(Cubature *cubature, PetscReal value[], PetscReal *error)
 {
   Cut   cut = {.roots = PETSC_FALSE};
   Part *stack;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(value, cubature->size));
-  *error          = 0.;
-  cubature->count = 0;
+  *error = 0.;
   PetscCall(PetscCalloc1(STACK, &stack));
   LevelSetCellInit(cubature, PETSC_FALSE, &cut.cell, &stack[0].box);
   PetscCall(LevelCutParts_Private(&cut, stack, value, error));
   PetscCall(PetscFree(stack));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A hexahedron at a vertex of a tetrahedron: its corners are the centroids of the edges and faces there, of the vertex and of the cell. */
+typedef struct {
+  const Cubature *whole;
+  PetscReal       corner[8 * LEVELSET_MAX_DIM];
+} Quarter;
+
+static void QuarterSet_Private(const Cubature *whole, PetscInt vertex, Quarter *quarter)
+{
+  quarter->whole = whole;
+  for (PetscInt n = 0; n < 8; n++) {
+    const PetscReal *at = ElementNode(ELEMENT_HEX8, n), *first = ElementNode(ELEMENT_TET4, vertex);
+
+    for (PetscInt k = 0; k < LEVELSET_MAX_DIM; k++) {
+      PetscReal sum = first[k], num = 1.;
+
+      for (PetscInt l = 0; l < LEVELSET_MAX_DIM; l++) {
+        sum += at[l] * ElementNode(ELEMENT_TET4, (vertex + 1 + l) % 4)[k];
+        num += at[l];
+      }
+      quarter->corner[n * LEVELSET_MAX_DIM + k] = sum / num;
+    }
+  }
+}
+
+static PetscErrorCode QuarterIntegrandFn(void *ctx, const PetscReal u[], PetscReal value[])
+{
+  const Quarter *quarter = ctx;
+  PetscReal      xi[LEVELSET_MAX_DIM], phi[ELEMENT_MAX_NODES], jacobian;
+
+  PetscFunctionBeginUser;
+  jacobian = PetscAbsReal(ElementMap(ELEMENT_HEX8, quarter->corner, u, xi, phi, NULL));
+  PetscCall(quarter->whole->integrand(quarter->whole->ctx, xi, value));
+  for (PetscInt i = 0; i < quarter->whole->size; i++) value[i] *= jacobian;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode QuarterSwitchFn(void *ctx, PetscInt i, const PetscReal u[], PetscReal *value)
+{
+  const Quarter *quarter              = ctx;
+  PetscReal      xi[LEVELSET_MAX_DIM] = {0.}, phi[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  ElementShape(ELEMENT_HEX8, u, phi, NULL);
+  for (PetscInt n = 0; n < 8; n++)
+    for (PetscInt k = 0; k < LEVELSET_MAX_DIM; k++) xi[k] += phi[n] * quarter->corner[n * LEVELSET_MAX_DIM + k];
+  PetscCall(quarter->whole->switches(quarter->whole->ctx, i, xi, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The integral over a tetrahedron by four hexahedra. */
+static PetscErrorCode LevelCutQuarters_Private(Cubature *cubature, PetscReal value[], PetscReal *error)
+{
+  const PetscInt before = cubature->count;
+  PetscReal      part[CUBATURE_MAX_SIZE], miss;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(value, cubature->size));
+  *error = 0.;
+  for (PetscInt vertex = 0; vertex < 4; vertex++) {
+    Cubature quarter_cubature = *cubature;
+    Quarter  quarter;
+
+    QuarterSet_Private(cubature, vertex, &quarter);
+    quarter_cubature.type      = ELEMENT_HEX8;
+    quarter_cubature.integrand = QuarterIntegrandFn;
+    quarter_cubature.switches  = QuarterSwitchFn;
+    quarter_cubature.ctx       = &quarter;
+    quarter_cubature.count     = 0;
+    quarter_cubature.budget    = (before + cubature->budget - cubature->count) / (4 - vertex);
+    PetscCall(LevelCutCell_Private(&quarter_cubature, part, &miss));
+    cubature->count += quarter_cubature.count;
+    *error += miss;
+    for (PetscInt i = 0; i < cubature->size; i++) value[i] += part[i];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CubatureSwitches(Cubature *cubature, PetscReal value[], PetscReal *error)
+{
+  LevelSetTrend trend = {.planes = PETSC_TRUE};
+  PetscReal     other[CUBATURE_MAX_SIZE], miss;
+  PetscInt      first;
+  PetscBool     quarters;
+  LevelSetCell  cell;
+  LevelSetBox   box;
+
+  PetscFunctionBeginUser;
+  cubature->count = 0;
+  LevelSetCellInit(cubature, PETSC_FALSE, &cell, &box);
+  if (cell.simplex && cell.dim == 3) PetscCall(LevelSetBoxTrend(&cell, &box, &trend));
+  quarters =
+      (PetscBool)(!trend.planes && cubature->num_switches == 1); // where surfaces meet, planes are better left plane
+  if (quarters)
+    PetscCall(LevelCutQuarters_Private(cubature, value, error));
+  else
+    PetscCall(LevelCutCell_Private(cubature, value, error));
+  if (*error <= 1. || trend.planes) PetscFunctionReturn(PETSC_SUCCESS);
+  first           = cubature->count; // the other one has as much once more
+  cubature->count = 0;
+  if (quarters)
+    PetscCall(LevelCutCell_Private(cubature, other, &miss));
+  else
+    PetscCall(LevelCutQuarters_Private(cubature, other, &miss));
+  cubature->count += first;
+  if (miss < *error) {
+    *error = miss;
+    PetscCall(PetscArraycpy(value, other, cubature->size));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -25,6 +25,10 @@ static const PetscReal ZERO_ACCURACY = 1e-15;
 static const PetscReal ROUNDING = 1e-12;
 /* A function whose differences along a coordinate vary by more is not followed along it. */
 static const PetscReal VARIATION = 5.;
+/* Part of a line at both ends over which a function's slope is taken, and the least slope there compared with that of the line. */
+static const PetscReal END_STEP = 1e-4, LEAST_SLOPE = 0.05;
+/* Second differences of a plane, compared with its first ones. */
+static const PetscReal STRAIGHT = 1e-9;
 /* What the width of a box counts compared with how much gradients change along it. */
 static const PetscReal WIDTH = 0.25;
 /* A parabola through three values that stays above this part of the least of them has no zero there. */
@@ -217,6 +221,18 @@ static void SampleDifferences_Private(PetscInt dim, const PetscReal v[], PetscRe
   }
 }
 
+/* Whether values on a line are not all larger than near in size, of one sign. [in] q - its first sample */
+static PetscBool LineIsNear_Private(const PetscReal v[], PetscInt q, PetscInt stride, PetscReal near)
+{
+  PetscReal lowest = v[q], highest = v[q];
+
+  for (PetscInt j = 1; j < SAMPLES; j++) {
+    lowest  = PetscMin(lowest, v[q + j * stride]);
+    highest = PetscMax(highest, v[q + j * stride]);
+  }
+  return (PetscBool)(lowest <= near && highest >= -near);
+}
+
 /* The range of differences on lines along coordinate k that may have a zero on or beside them. [in] near - what values on these
    are not larger than; [in] zero - what is rounding; [out] rise - [2] */
 static void SampleRises_Private(PetscInt dim, PetscInt k, PetscReal near, PetscReal zero, const PetscReal v[],
@@ -229,15 +245,7 @@ static void SampleRises_Private(PetscInt dim, PetscInt k, PetscReal near, PetscR
   rise[0] = PETSC_MAX_REAL;
   rise[1] = -PETSC_MAX_REAL;
   for (PetscInt q = 0; q < total; q++) {
-    PetscReal lowest, highest;
-
-    if (q / stride % SAMPLES > 0) continue; // no first one of a line
-    lowest = highest = v[q];
-    for (PetscInt j = 1; j < SAMPLES; j++) {
-      lowest  = PetscMin(lowest, v[q + j * stride]);
-      highest = PetscMax(highest, v[q + j * stride]);
-    }
-    if (lowest > near || highest < -near) continue;
+    if (q / stride % SAMPLES > 0 || !LineIsNear_Private(v, q, stride, near)) continue; // no first one of a line
     for (PetscInt j = 1; j < SAMPLES; j++) {
       const PetscReal a = v[q + (j - 1) * stride], b = v[q + j * stride], d = b - a;
 
@@ -283,12 +291,90 @@ static void FunctionTrendSet_Private(PetscInt dim, const LevelSetFunction *funct
   }
 }
 
+/* Whether function i is one at a zero of another one, here or in the boxes around; and whether, at the point where it was evaluated last, that
+   zero was beyond its box. [in] u - that point, NULL for the first question */
+static PetscBool LevelSetIsMeeting_Private(const LevelSetBox *box, PetscInt i, const PetscReal u[])
+{
+  for (; box->around; i = box->function[i].of, box = box->around) {
+    const LevelSetBox *around = box->around;
+
+    if (box->function[i].other < 0) continue;
+    if (!u || u[box->line] <= around->lower[box->line] || u[box->line] >= around->upper[box->line]) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* Whether a function rises or falls at both ends of the lines along coordinate k as it does between: one that turns round between the last two
+   samples has two zeros there. [in] v - its samples */
+static PetscErrorCode LevelSetCheckEnds_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
+                                                PetscInt k, const PetscReal v[], PetscBool *goes)
+{
+  const PetscInt  axis  = box->axis[k];
+  const PetscReal lower = box->lower[axis], length = box->upper[axis] - lower, zero = ROUNDING * box->function[i].scale;
+  const PetscReal least = box->function[i].other < 0 ? LEAST_SLOPE : 0.;
+  PetscReal       reach[LEVELSET_MAX_DIM], bend[LEVELSET_MAX_DIM], margin, all = 0.;
+  PetscInt        total = 1, stride = 1;
+
+  PetscFunctionBeginUser;
+  SampleDifferences_Private(box->dim, v, reach, bend, &margin);
+  for (PetscInt l = 0; l < box->dim; l++) {
+    if (l < k) stride *= SAMPLES;
+    if (l != k) all += reach[l];
+    total *= SAMPLES;
+  }
+  *goes = PETSC_TRUE;
+  for (PetscInt q = 0; q < total && *goes; q++) {
+    const PetscReal rise = v[q + (SAMPLES - 1) * stride] - v[q];
+    PetscReal       u[LEVELSET_MAX_DIM];
+
+    if (q / stride % SAMPLES > 0 || !LineIsNear_Private(v, q, stride, margin + 0.5 * all)) continue;
+    for (PetscInt l = 0, digits = q; l < box->dim; l++, digits /= SAMPLES) {
+      const PetscInt other = box->axis[l];
+
+      u[other] = box->lower[other] + (box->upper[other] - box->lower[other]) * (digits % SAMPLES) / (SAMPLES - 1);
+    }
+    for (PetscInt end = 0; end < 2 && *goes; end++) {
+      const PetscReal at = v[q + (end ? (SAMPLES - 1) * stride : 0)];
+      PetscReal       inner, slope;
+
+      u[axis] = end ? lower + (1. - END_STEP) * length : lower + END_STEP * length;
+      PetscCall(LevelSetEvaluate_Private(cell, box, i, u, &inner));
+      slope = (end ? at - inner : inner - at) / END_STEP;
+      if (PetscAbsReal(at - inner) <= zero || (least == 0. && LevelSetIsMeeting_Private(box, i, u))) continue;
+      *goes = (PetscBool)(slope * rise > 0. && PetscAbsReal(slope) > least * PetscAbsReal(rise));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The coordinate along which all functions go best, -1 where there is none. [in,out] score - [dim] */
+static PetscErrorCode LevelSetChooseLine_Private(const LevelSetCell *cell, const LevelSetBox *box,
+                                                 const PetscReal v[][MAX_SAMPLES], PetscBool stays[][LEVELSET_MAX_DIM],
+                                                 PetscReal score[], PetscInt *line)
+{
+  PetscFunctionBeginUser;
+  for (;;) {
+    PetscInt  best = 0;
+    PetscBool goes = PETSC_TRUE;
+
+    for (PetscInt k = 1; k < box->dim; k++)
+      if (score[k] > score[best]) best = k;
+    *line = score[best] > 0. ? best : -1;
+    if (*line < 0) break;
+    for (PetscInt i = 0; i < box->num && goes; i++)
+      if (!stays[i][best]) PetscCall(LevelSetCheckEnds_Private(cell, box, i, best, v[i], &goes));
+    if (goes) break;
+    score[best] = 0.;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode LevelSetBoxTrend(const LevelSetCell *cell, LevelSetBox *box, LevelSetTrend *trend)
 {
-  PetscReal     score[LEVELSET_MAX_DIM] = {1., 1., 1.}, bend[LEVELSET_MAX_DIM] = {0.}, v[MAX_SAMPLES];
-  PetscReal     most = ROUNDING, widest = 0.;
+  PetscReal     score[LEVELSET_MAX_DIM] = {1., 1., 1.}, bend[LEVELSET_MAX_DIM] = {0.};
+  PetscReal     v[LEVELSET_MAX_FUNCTIONS][MAX_SAMPLES], most = ROUNDING, widest = 0.;
   PetscBool     stays[LEVELSET_MAX_FUNCTIONS][LEVELSET_MAX_DIM];
-  PetscInt      num = 0, best = 0, bent = 0, total = 1;
+  PetscInt      num = 0, best, bent = 0, total = 1;
   FunctionTrend function;
 
   PetscFunctionBeginUser;
@@ -296,9 +382,9 @@ PetscErrorCode LevelSetBoxTrend(const LevelSetCell *cell, LevelSetBox *box, Leve
   for (PetscInt i = 0; i < box->num; i++) {
     PetscReal *scale = &box->function[i].scale;
 
-    PetscCall(LevelSetSample_Private(cell, box, i, v));
-    for (PetscInt q = 0; q < total; q++) *scale = PetscMax(*scale, PetscAbsReal(v[q]));
-    FunctionTrendSet_Private(box->dim, &box->function[i], v, &function);
+    PetscCall(LevelSetSample_Private(cell, box, i, v[num]));
+    for (PetscInt q = 0; q < total; q++) *scale = PetscMax(*scale, PetscAbsReal(v[num][q]));
+    FunctionTrendSet_Private(box->dim, &box->function[i], v[num], &function);
     if (!function.zero) continue;
     for (PetscInt k = 0; k < box->dim; k++) {
       score[k]      = PetscMin(score[k], function.score[k]);
@@ -312,14 +398,15 @@ PetscErrorCode LevelSetBoxTrend(const LevelSetCell *cell, LevelSetBox *box, Leve
     most   = PetscMax(most, bend[k]);
     widest = PetscMax(widest, box->upper[box->axis[k]] - box->lower[box->axis[k]]);
   }
+  trend->planes = (PetscBool)(most <= STRAIGHT);
+  PetscCall(LevelSetChooseLine_Private(cell, box, (const PetscReal(*)[MAX_SAMPLES])v, stays, score, &best));
   for (PetscInt k = 0; k < box->dim; k++) { // or the widest one
     bend[k] = bend[k] / most + WIDTH * (box->upper[box->axis[k]] - box->lower[box->axis[k]]) / widest;
-    if (score[k] > score[best]) best = k;
     if (bend[k] > bend[bent]) bent = k;
   }
-  trend->line = score[best] > 0. ? box->axis[best] : -1;
+  trend->line = best >= 0 ? box->axis[best] : -1;
   trend->bent = box->axis[bent];
-  for (PetscInt i = 0; i < num; i++) trend->stays[i] = stays[i][best];
+  for (PetscInt i = 0; i < num && best >= 0; i++) trend->stays[i] = stays[i][best];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -397,9 +484,9 @@ static PetscErrorCode LevelSetFindDip_Private(const LevelSetCell *cell, const Le
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All zeros of function i along the only coordinate of a box. [in,out] num, ends - they are appended */
+/* Zeros of function i on a part of the only coordinate of a box. [in,out] num, ends - they are appended */
 static PetscErrorCode LevelSetFindZeros_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
-                                                PetscReal u[], PetscInt *num, PetscReal ends[])
+                                                const PetscReal part[], PetscReal u[], PetscInt *num, PetscReal ends[])
 {
   const PetscInt  line = box->axis[0];
   const PetscReal zero = ROUNDING * box->function[i].scale;
@@ -408,7 +495,7 @@ static PetscErrorCode LevelSetFindZeros_Private(const LevelSetCell *cell, const 
 
   PetscFunctionBeginUser;
   for (PetscInt s = 0; s < LINE_SAMPLES; s++) { // values that are rounding have no sign
-    u[line] = at[kept][0] = box->lower[line] + (box->upper[line] - box->lower[line]) * s / (LINE_SAMPLES - 1);
+    u[line] = at[kept][0] = part[0] + (part[1] - part[0]) * s / (LINE_SAMPLES - 1);
     PetscCall(LevelSetEvaluate_Private(cell, box, i, u, &at[kept][1]));
     if (PetscAbsReal(at[kept][1]) > zero) kept++;
   }
@@ -432,21 +519,77 @@ static PetscErrorCode LevelSetFindZeros_Private(const LevelSetCell *cell, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Zeros along the only coordinate of a box, not in order: first those at which other functions begin to have zeros on lines, between which
+   the places where these meet are smooth functions. */
+static PetscErrorCode LevelSetFindAllZeros_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscReal u[],
+                                                   PetscInt *num, PetscReal ends[])
+{
+  const PetscInt line = box->axis[0];
+  PetscReal      part[LEVELSET_MAX_ZEROS], value;
+  PetscInt       parts;
+
+  PetscFunctionBeginUser;
+  part[0] = box->lower[line];
+  part[1] = box->upper[line];
+  for (PetscInt i = 0; i < box->num; i++)
+    if (!LevelSetIsMeeting_Private(box, i, NULL))
+      PetscCall(LevelSetFindZeros_Private(cell, box, i, part, u, num, ends));
+  parts = *num + 1;
+  PetscCall(PetscArraycpy(part, ends, parts));
+  PetscCall(PetscSortReal(parts, part));
+  part[parts] = box->upper[line];
+  for (PetscInt i = 0; i < box->num; i++) {
+    if (!LevelSetIsMeeting_Private(box, i, NULL)) continue;
+    for (PetscInt k = 0; k < parts; k++) {
+      u[line] = 0.5 * (part[k] + part[k + 1]);
+      if (part[k + 1] - part[k] <= ZERO_ACCURACY) continue;
+      PetscCall(LevelSetEvaluate_Private(cell, box, i, u, &value));
+      if (!LevelSetIsMeeting_Private(box, i, u))
+        PetscCall(LevelSetFindZeros_Private(cell, box, i, &part[k], u, num, ends));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode LevelSetBoxZeros(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
                                 PetscInt *num, PetscReal ends[])
 {
   PetscFunctionBeginUser;
   *num    = 0;
   ends[0] = box->lower[line];
-  for (PetscInt i = 0; i < box->num; i++) {
-    if (box->dim == 1) {
-      PetscCall(LevelSetFindZeros_Private(cell, box, i, u, num, ends));
-      continue;
-    }
+  if (box->dim == 1) PetscCall(LevelSetFindAllZeros_Private(cell, box, u, num, ends));
+  for (PetscInt i = 0; i < box->num && box->dim > 1; i++) {
     PetscCall(LevelSetFindZero_Private(cell, box, i, line, u));
     if (u[line] > box->lower[line] && u[line] < box->upper[line]) ends[++*num] = u[line];
   }
   PetscCall(PetscSortReal(*num, ends + 1));
   ends[++*num] = box->upper[line];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelSetBoxBeyond(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
+                                 PetscReal beyond[])
+{
+  const PetscReal length = box->upper[line] - box->lower[line];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < box->num; i++) {
+    const PetscReal zero = ROUNDING * box->function[i].scale;
+
+    for (PetscInt k = 0; k < 2; k++) {
+      const PetscReal sign = k ? 1. : -1.;
+      PetscReal       ends[2][2];
+
+      ends[0][0] = k ? box->upper[line] : box->lower[line];
+      ends[1][0] = ends[0][0] + sign * length;
+      for (PetscInt j = 0; j < 2; j++) {
+        u[line] = ends[j][0];
+        PetscCall(LevelSetEvaluate_Private(cell, box, i, u, &ends[j][1]));
+      }
+      if (PetscAbsReal(ends[0][1]) <= zero || (ends[0][1] > 0.) == (ends[1][1] > 0.)) continue;
+      PetscCall(LevelSetBracketZero_Private(cell, box, i, line, (const PetscReal(*)[2])ends, u));
+      if (sign * (u[line] - beyond[k]) < 0. && sign * (u[line] - ends[0][0]) >= 0.) beyond[k] = u[line];
+    }
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

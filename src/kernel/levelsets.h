@@ -36,6 +36,7 @@ typedef struct _n_LevelSetBox {
 typedef struct {
   PetscInt  line;                          /* along which each rises, falls or stays; -1 where there is none */
   PetscInt  bent;                          /* along which their gradients change most */
+  PetscBool planes;                        /* whether all are linear in the box */
   PetscBool stays[LEVELSET_MAX_FUNCTIONS]; /* along line */
 } LevelSetTrend;
 
@@ -51,5 +52,9 @@ void LevelSetBoxProject(const LevelSetBox *box, const LevelSetTrend *trend, Leve
    the box has no other coordinate. Not collective. [in,out] u - the point, of which [line] is lost; [out] ends - [LEVELSET_MAX_ZEROS] */
 PetscErrorCode LevelSetBoxZeros(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
                                 PetscInt *num, PetscReal ends[]);
+/* The nearest zeros on a line beyond both ends of a box, where there are some within its length, and as seen from there: for rules that
+   know of roots. Not collective. [in,out] beyond - infinite where there is none [2] */
+PetscErrorCode LevelSetBoxBeyond(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
+                                 PetscReal beyond[]);
 
 #endif

@@ -9,7 +9,7 @@
      [3] N. J. Walkington, Quadrature on simplices of arbitrary dimension (2000). */
 #include "kernel/element.h"
 
-enum { GAUSS_MAX = 8, GAUSS_HALF = 4 };
+enum { GAUSS_MAX = 8, GAUSS_HALF = 4, MORE = 2, MORE_HALF = 8 };
 
 /* Gauss-Legendre on [0,1]: points up to the middle and their weights; the rest follows by mirroring. */
 static const PetscReal GAUSS_POINTS[GAUSS_MAX][GAUSS_HALF] = {
@@ -31,12 +31,28 @@ static const PetscReal GAUSS_WEIGHTS[GAUSS_MAX][GAUSS_HALF] = {
     {0.064742483084434846635, 0.13985269574463833395, 0.19091502525255947248, 0.20897959183673469388},
     {0.050614268145188129576, 0.11119051722668723527, 0.15685332293894364367, 0.18134189168918099148}};
 
+/* The same with more points: columns of MORE_POINTS. */
+static const PetscInt  MORE_POINTS[MORE]                  = {12, 16};
+static const PetscReal MORE_GAUSS_POINTS[MORE][MORE_HALF] = {
+    {0.0092196828766403746547, 0.047941371814762571661, 0.11504866290284765648, 0.20634102285669127635,
+     0.31608425050090990312, 0.43738329574426554226},
+    {0.0052995325041750337019, 0.027712488463383711961, 0.067184398806084128060, 0.12229779582249848305,
+     0.19106187779867812578, 0.27099161117138630683, 0.35919822461037054338, 0.45249374508118127991}};
+static const PetscReal MORE_GAUSS_WEIGHTS[MORE][MORE_HALF] = {
+    {0.023587668193255913597, 0.053469662997659215480, 0.080039164271673113167, 0.10158371336153296087,
+     0.11674626826917740438, 0.12457352290670139250},
+    {0.013576229705877047426, 0.031126761969323946431, 0.047579255841246392405, 0.062314485627766936026,
+     0.074797994408288366041, 0.084578259697501269095, 0.091301707522461794433, 0.094725305227534248143}};
+
 PetscInt QuadratureLine(PetscInt n, PetscReal points[], PetscReal weights[])
 {
+  const PetscReal *p = n <= GAUSS_MAX ? GAUSS_POINTS[n - 1] : MORE_GAUSS_POINTS[n > MORE_POINTS[0]];
+  const PetscReal *w = n <= GAUSS_MAX ? GAUSS_WEIGHTS[n - 1] : MORE_GAUSS_WEIGHTS[n > MORE_POINTS[0]];
+
   for (PetscInt i = 0; i < (n + 1) / 2; i++) {
-    points[n - 1 - i] = 1. - GAUSS_POINTS[n - 1][i];
-    points[i]         = GAUSS_POINTS[n - 1][i];
-    weights[i] = weights[n - 1 - i] = GAUSS_WEIGHTS[n - 1][i];
+    points[n - 1 - i] = 1. - p[i];
+    points[i]         = p[i];
+    weights[i] = weights[n - 1 - i] = w[i];
   }
   return n;
 }

@@ -102,6 +102,49 @@ static const Case CASES[] = {
      "0, 0, x^2+y^2+z^2<0.49 ? 1 : 0",
      2,
      0.343 * PETSC_PI / 6.},
+    /* the same ball, a Hertz type in it, two cylinders that touch, in tetrahedra */
+    {3,
+     {2, 2, 2},
+     1,
+     PETSC_TRUE,
+     MODEL_SOLID,
+     NULL,
+     PETSC_FALSE,
+     "0, 0, x^2+y^2+z^2<0.49 ? 1 : 0",
+     2,
+     0.343 * PETSC_PI / 6.},
+    {3,
+     {2, 2, 2},
+     1,
+     PETSC_TRUE,
+     MODEL_SOLID,
+     NULL,
+     PETSC_FALSE,
+     "0, sqrt(max(0, 1-(x^2+y^2+z^2)/.49)), 0",
+     1,
+     0.343 * PETSC_PI *PETSC_PI / 32.},
+    {3,
+     {2, 2, 2},
+     2,
+     PETSC_TRUE,
+     MODEL_SOLID,
+     NULL,
+     PETSC_FALSE,
+     "x^2+y^2<.49 && y^2+z^2<.49 ? 1 : 0, 0, 0",
+     0,
+     0.343 * 2. / 3.},
+    /* a lens of two discs: 2 R^2 acos(d/R) - 2 d (R^2 - d^2)^1/2 with d = 0.1 */
+    {2,
+     {3, 3},
+     1,
+     PETSC_TRUE,
+     MODEL_PLANE_STRAIN,
+     NULL,
+     PETSC_FALSE,
+     "(x-.34451025279448844)^2+(y-.44464036307513732)^2<.19417262894295745^2 && "
+     "(x-.54451025279448844)^2+(y-.44464036307513732)^2<.19417262894295745^2 ? 1 : 0, 0",
+     0,
+     0.04436332634844418},
     /* Hertz' pressure and a cone on facets in space */
     {3,
      {5, 4, 1},
@@ -212,11 +255,32 @@ static void TestPressureOnCurve(void)
   TestSceneFree(&t);
 }
 
+/* A ball inside tetrahedra of order 2 with curved sides, whose map keeps volumes. */
+static void TestBallInCurves(void)
+{
+  const PetscReal lower[3] = {0, 0, 0}, upper[3] = {1, 1, 1};
+  const PetscInt  faces[3] = {2, 2, 2};
+  TestScene       t;
+  SceneBody      *body;
+
+  SolidSceneInit(&t);
+  body          = SolidSceneAddBox(&t, "body", faces, lower, upper);
+  body->order   = 2;
+  body->simplex = PETSC_TRUE;
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", "x, y, z+0.2*x*y", 3, PETSC_FALSE, &body->map));
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", "0, 0, (x-.5)^2+(y-.5)^2+(z-.55)^2<.09 ? 1 : 0", 3, PETSC_FALSE,
+                          &body->material.body_force));
+  CHECK_NEAR(TotalLoad(&t, 2), 0.036 * PETSC_PI, PROMISED * 0.036 * PETSC_PI);
+  CHECK(!ExpressionDestroy(&body->material.body_force));
+  TestSceneFree(&t);
+}
+
 int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(CASES); i++) CheckCase(&CASES[i]);
   TestPressureOnCurve();
+  TestBallInCurves();
   TestMoment(PETSC_FALSE);
   TestMoment(PETSC_TRUE);
   PetscCall(PetscFinalize());
