@@ -64,9 +64,9 @@ PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
 void FrictionUnitsPrescribe(FrictionUnits *units);
 /* Marks the unknowns that the decisions fix. Not collective. [out] fixed - [n] */
 void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[]);
-/* The residual of the law, in the norm of diag(A)^-1, and its reference. Collective. [out] size -
-   of the forces, with roundoff */
-PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *residual, PetscReal *size);
+/* The residual of the law, in the norm of diag(A)^-1, and its reference. Collective. [in] rtol - tolerance of their ratio;
+   [out] size - of the forces, with what makes roundoff rtol times it */
+PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal rtol, PetscReal *residual, PetscReal *size);
 /* Counts units. Collective. [out] report - slipping and sticking; [out] closed */
 PetscErrorCode FrictionUnitsCount(const FrictionUnits *units, FrictionReport *report, PetscInt *closed);
 

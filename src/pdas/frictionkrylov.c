@@ -43,6 +43,7 @@ static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, Fric
 {
   const ActiveSolver solver = method->solver;
   Krylov            *t      = method->data;
+  const PetscReal    rtol   = PetscMax(FRICTION_RTOL, solver->rtol);
   PetscReal          rest, law, reference = t->reference;
   PetscBool          suffices;
 
@@ -50,13 +51,13 @@ static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, Fric
   PetscCall(ActiveSolverResidual(solver, t->all, t->y, t->r, t->f, &rest));
   PetscCall(ActiveSetGather(solver->set, t->r, method->units.r));
   PetscCall(ActiveSetGather(solver->set, t->y, method->units.y));
-  PetscCall(FrictionUnitsResidual(&method->units, &law, &step->size));
+  PetscCall(FrictionUnitsResidual(&method->units, rtol, &law, &step->size));
   t->size = step->size;
   if (rest <= solver->rtol * reference)
     PetscCall(FullSolverMeasure(solver, t->y, t->f, t->reference, &reference, NULL));
   PetscCall(ActiveSolverSuffices(solver, t->y, rest, PetscMax(step->size, reference), &suffices));
   step->residual = PetscSqrtReal(rest * rest + law * law);
-  step->done     = (PetscBool)(suffices && law <= PetscMax(FRICTION_RTOL, solver->rtol) * step->size);
+  step->done     = (PetscBool)(suffices && law <= rtol * step->size);
   step->size     = PetscMax(step->size, t->reference);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

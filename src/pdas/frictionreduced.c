@@ -67,13 +67,13 @@ static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep 
   PetscCall(FrictionUnitsDecide(units, &step->changed));
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));
-  PetscCall(FrictionUnitsResidual(units, &step->residual, &step->size));
+  PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
   PetscCall(FrictionUnitsCount(units, &count, &step->closed));
   step->done       = (PetscBool)(step->residual <= FRICTION_RTOL * step->size);
   step->iterations = 1;
   if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionReducedSearch_Private(t, &step->shortened));
-  if (step->shortened) PetscCall(FrictionUnitsResidual(units, &step->residual, &step->size));
+  if (step->shortened) PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
   t->waiting = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
   t->least   = PetscMin(t->least, step->residual);
   *failed    = (PetscBool)(t->waiting >= PATIENCE);

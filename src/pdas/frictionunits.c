@@ -254,7 +254,7 @@ static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const P
   return sum;
 }
 
-PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *residual, PetscReal *size)
+PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal rtol, PetscReal *residual, PetscReal *size)
 {
   PetscReal sum[3] = {0, 0, 0}, largest = 0;
 
@@ -271,7 +271,7 @@ PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal *resi
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPI_SUM, units->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, units->comm));
   *residual = PetscSqrtReal(sum[0]);
-  *size     = PetscSqrtReal(sum[1]) + ROUNDOFF / 1e-10 * PetscSqrtReal(sum[2]) * largest;
+  *size     = PetscSqrtReal(sum[1]) + ROUNDOFF / rtol * PetscSqrtReal(sum[2]) * largest;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
