@@ -2,9 +2,11 @@
 
    PT-Scotch or ParMETIS, whichever PETSc has; PT-Scotch takes one weight for a cell, so that contact is not shared out as METIS does it, and
    parts have no correction for nodes between them. */
+#define _GNU_SOURCE // RTLD_DEFAULT
 #include "mesh/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
+#include <dlfcn.h>
 #include <petscmat.h>
 
 #if defined(PETSC_HAVE_PTSCOTCH)
@@ -20,9 +22,24 @@ typedef struct {
   PetscInt row, column, weight;
 } HalfEdge;
 
+/* Debian's PETSc of 64-bit indices goes with a PT-Scotch of 32-bit ones, and fails there. */
+static PetscBool ScotchFits_Private(void)
+{
+#if defined(PETSC_HAVE_PTSCOTCH)
+  union {
+    void *address;
+    int (*size)(void);
+  } scotch = {.address = dlsym(RTLD_DEFAULT, "SCOTCH_numSizeof")};
+
+  return (PetscBool)(scotch.address ? scotch.size() == (int)sizeof(PetscInt) : sizeof(PetscInt) == sizeof(int));
+#else
+  return PETSC_TRUE;
+#endif
+}
+
 PetscBool GraphHasParallel(void)
 {
-  return (PetscBool)(ParallelType != NULL);
+  return (PetscBool)(ParallelType && ScotchFits_Private());
 }
 
 /* Both halves of each edge, on the ranks of their rows. Collective. [out] half - freed by the caller [num] */
