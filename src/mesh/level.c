@@ -30,7 +30,6 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
   PetscCall(LevelBegin_Private(scene, dm, level));
   PetscCall(LevelSetCellMaterials(level));
   PetscCall(LevelSetNodes(level, max_order));
-  PetscCall(LevelSetCells(level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -67,7 +66,6 @@ PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
   PetscCall(LevelBegin_Private(coarse->scene, dm, fine));
   PetscCall(LevelFollowCellMaterials(coarse, transform, fine));
   PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
-  PetscCall(LevelSetCells(fine));
   PetscCall(LevelCreateProlongation(coarse, transform, fine));
   PetscCall(LevelFollowCoords(coarse, sides, transform, fine));
   PetscCall(DMDestroy(&dm));

@@ -51,23 +51,24 @@ PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform tra
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Once to see how many nodes there are, once to write them down. */
 PetscErrorCode LevelSetCells(Level *level)
 {
   ElementType type;
-  PetscInt    begin, nodes[ELEMENT_MAX_NODES];
+  PetscInt    begin, most = 0;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &begin, NULL));
   level->cell_start[0] = 0;
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    PetscCall(PointGetNodes(level, begin + c, &type, nodes));
+    if (level->cell_start[c] + ELEMENT_MAX_NODES > most) {
+      most = 2 * most + ELEMENT_MAX_NODES;
+      PetscCall(PetscRealloc((size_t)most * sizeof(PetscInt), &level->cell_nodes));
+    }
+    PetscCall(PointGetNodes(level, begin + c, &type, &level->cell_nodes[level->cell_start[c]]));
     level->cell_type[c]      = type;
     level->cell_start[c + 1] = level->cell_start[c] + ElementNumNodes(type);
   }
-  PetscCall(PetscMalloc1(level->cell_start[level->num_cells], &level->cell_nodes));
-  for (PetscInt c = 0; c < level->num_cells; c++)
-    PetscCall(PointGetNodes(level, begin + c, &type, &level->cell_nodes[level->cell_start[c]]));
+  PetscCall(PetscRealloc((size_t)level->cell_start[level->num_cells] * sizeof(PetscInt), &level->cell_nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,8 +1,11 @@
 /* levelnodes.c -- the points of the mesh with a node, and node numbers.
 
-   Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables agree. */
+   Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables agree. Nodes are numbered as the
+   cells have them, not as the points of the DM: a refined DM lists vertices, then middles of edges, of facets and of cells, and
+   products with K would fetch the nodes of a cell from as many distant places. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
+#include <petscbt.h>
 
 /* Bodies have no point in common: what bounds a point is of the body that the point is of. [out] body - of every point
    of the mesh, known for its cells on entry */
@@ -28,7 +31,7 @@ static PetscErrorCode PointsSetBodies_Private(DM dm, PetscInt dim, PetscInt body
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks points that carry a node with 0, others with -1. Order 1 asks for vertices alone, so that is all its tables
+/* Numbers the points that carry a node as the DM has them, others are -1. Order 1 asks for vertices alone, so that is all its tables
    know of. [in] body - of every point of the mesh [chart] */
 static PetscErrorCode LevelMarkNodes_Private(Level *level, PetscInt max_order, const PetscInt body[])
 {
@@ -45,14 +48,37 @@ static PetscErrorCode LevelMarkNodes_Private(Level *level, PetscInt max_order, c
     PetscBool carries = p >= vertex_begin && p < vertex_end ? PETSC_TRUE : PETSC_FALSE;
 
     if (!carries && level->scene->bodies[body[p - first]].order > 1) PetscCall(PointHasMiddle(level->dm, p, &carries));
-    level->point_node[p - level->point_begin] = carries ? 0 : -1;
-    level->num_nodes += carries;
+    level->point_node[p - level->point_begin] = carries ? level->num_nodes++ : -1;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Points in the order in which cells have them, those without nodes last. [out] order - points from point_begin on, owned by the caller */
+static PetscErrorCode LevelOrderPoints_Private(const Level *level, IS *order)
+{
+  const PetscInt num = level->point_end - level->point_begin;
+  PetscInt      *point, *list, size = 0;
+  PetscBT        listed;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, &list));
+  PetscCall(PetscBTCreate(num, &listed));
+  PetscCall(LevelGetNodePoints(level, &point));
+  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; i++) {
+    const PetscInt p = point[level->cell_nodes[i]] - level->point_begin;
+
+    if (!PetscBTLookupSet(listed, p)) list[size++] = p;
+  }
+  for (PetscInt p = 0; p < num; p++)
+    if (!PetscBTLookup(listed, p)) list[size++] = p;
+  PetscCall(PetscFree(point));
+  PetscCall(PetscBTDestroy(&listed));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, list, PETSC_OWN_POINTER, order));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* dim unknowns on every node: the layout of displacements. */
-static PetscErrorCode LevelSetSection_Private(Level *level)
+static PetscErrorCode LevelSetSection_Private(Level *level, IS order)
 {
   PetscSection section;
 
@@ -67,36 +93,42 @@ static PetscErrorCode LevelSetSection_Private(Level *level)
     PetscCall(PetscSectionSetDof(section, p, level->dim));
     PetscCall(PetscSectionSetFieldDof(section, p, 0, level->dim));
   }
+  PetscCall(PetscSectionSetPermutation(section, order));
   PetscCall(PetscSectionSetUp(section));
   PetscCall(DMSetLocalSection(level->dm, section));
   PetscCall(PetscSectionDestroy(&section));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Local nodes: the owned ones in global order, which is the order of the DM, then those of other ranks. */
-static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body[])
+/* Local nodes: the owned ones in global order, then those of other ranks. [in] body - of every point of the mesh [chart]; [out] number - of
+   the nodes as the DM has them [num_nodes] */
+static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body[], IS order, PetscInt number[])
 {
-  PetscSection section;
-  PetscInt     first, node = 0;
+  PetscSection    section;
+  const PetscInt *points;
+  PetscInt        first, node = 0;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetChart(level->dm, &first, NULL));
   PetscCall(DMGetGlobalSection(level->dm, &section));
+  PetscCall(ISGetIndices(order, &points));
   PetscCall(PetscMalloc3(level->num_nodes, &level->node_global, level->num_nodes, &level->node_body,
                          level->num_nodes * level->dim, &level->coords));
   for (PetscInt ghosts = 0; ghosts < 2; ghosts++) { // first those that this rank owns
-    for (PetscInt p = level->point_begin; p < level->point_end; p++) {
-      PetscInt offset;
+    for (PetscInt i = 0; i < level->num_nodes; i++) {
+      const PetscInt p = level->point_begin + points[i];
+      PetscInt       offset;
 
-      if (PointGetNode(level, p) < 0) continue;
       PetscCall(PetscSectionGetOffset(section, p, &offset)); // -(offset + 1) where another rank owns the node
       if ((offset < 0) != ghosts) continue;
-      level->node_global[node]                  = (ghosts ? -(offset + 1) : offset) / level->dim;
-      level->node_body[node]                    = body[p - first];
-      level->point_node[p - level->point_begin] = node++;
+      level->node_global[node]       = (ghosts ? -(offset + 1) : offset) / level->dim;
+      level->node_body[node]         = body[p - first];
+      number[PointGetNode(level, p)] = node;
+      level->point_node[points[i]]   = node++;
     }
     if (!ghosts) level->num_owned = node;
   }
+  PetscCall(ISRestoreIndices(order, &points));
   PetscCallMPI(MPI_Scan(&level->num_owned, &level->node_begin, 1, MPIU_INT, MPI_SUM, level->comm));
   level->node_begin -= level->num_owned;
   PetscCallMPI(MPI_Allreduce(&level->num_owned, &level->num_global, 1, MPIU_INT, MPI_SUM, level->comm));
@@ -105,7 +137,8 @@ static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body
 
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order)
 {
-  PetscInt *body, first, end, cell_begin;
+  PetscInt *body, *number, first, end, cell_begin;
+  IS        order;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetChart(level->dm, &first, &end));
@@ -114,8 +147,15 @@ PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order)
   PetscCall(PetscArraycpy(&body[cell_begin - first], level->cell_body, level->num_cells));
   PetscCall(PointsSetBodies_Private(level->dm, level->dim, body));
   PetscCall(LevelMarkNodes_Private(level, max_order, body));
-  PetscCall(LevelSetSection_Private(level));
-  PetscCall(LevelNumberNodes_Private(level, body));
+  PetscCall(LevelSetCells(level));
+  PetscCall(LevelOrderPoints_Private(level, &order));
+  PetscCall(LevelSetSection_Private(level, order));
+  PetscCall(PetscMalloc1(level->num_nodes, &number));
+  PetscCall(LevelNumberNodes_Private(level, body, order, number));
+  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; i++)
+    level->cell_nodes[i] = number[level->cell_nodes[i]];
+  PetscCall(PetscFree(number));
   PetscCall(PetscFree(body));
+  PetscCall(ISDestroy(&order));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

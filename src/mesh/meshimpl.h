@@ -215,10 +215,10 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
 PetscErrorCode LevelSetCellMaterials(Level *level);
 /* or, for a refined level, from where its cells come from; [in] transform - from coarse to fine */
 PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform transform, Level *fine);
-/* nodes: number, owner, body, local section of the DM; collective; */
-PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
-/* cell_start, cell_type, cell_nodes. */
+/* cell_start, cell_type, cell_nodes from the present point_node; */
 PetscErrorCode LevelSetCells(Level *level);
+/* nodes: number, owner, body, local section of the DM, and cells by LevelSetCells(). Collective. */
+PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 /* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. User errors: a
    node beyond the axis.
    Collective. */
