@@ -180,6 +180,42 @@ PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[
   return ElementMapCell_Private(cell, X, &rule->phi[q * n], &rule->dphi[q * n * cell->dim], x, grad);
 }
 
+/* To be inlined where dim is known. */
+static inline PetscReal ElementGradient_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[],
+                                                const PetscReal v[], const PetscReal dphi[], PetscReal H[])
+{
+  PetscReal       inverse[MAX_DIM * MAX_DIM] = {0.}, reference[MAX_DIM * MAX_DIM] = {0.};
+  const PetscReal det = ElementJacobian_Private(dim, num_nodes, X, dphi, inverse);
+
+  for (PetscInt i = 0; i < num_nodes; i++) {
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt l = 0; l < dim; l++) reference[k * dim + l] += v[i * dim + k] * dphi[i * dim + l];
+    }
+  }
+  for (PetscInt k = 0; k < dim; k++) {
+    for (PetscInt l = 0; l < dim; l++) {
+      H[k * dim + l] = 0.;
+      for (PetscInt m = 0; m < dim; m++) H[k * dim + l] += reference[k * dim + m] * inverse[m * dim + l];
+    }
+  }
+  return det;
+}
+
+PetscReal ElementRuleGradient(const ElementRule *rule, PetscInt q, const PetscReal X[], const PetscReal v[],
+                              PetscReal x[], PetscReal H[])
+{
+  const Reference *cell = &REFERENCE[rule->type];
+  const PetscInt   n = cell->num_nodes, dim = cell->dim;
+  const PetscReal *dphi = &rule->dphi[q * n * dim];
+
+  for (PetscInt k = 0; x && k < dim; k++) {
+    x[k] = 0.;
+    for (PetscInt i = 0; i < n; i++) x[k] += rule->phi[q * n + i] * X[i * dim + k];
+  }
+  if (dim == 1) return ElementGradient_Private(1, n, X, v, dphi, H);
+  return dim == 2 ? ElementGradient_Private(2, n, X, v, dphi, H) : ElementGradient_Private(3, n, X, v, dphi, H);
+}
+
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                          PetscReal normal[])
 {
@@ -204,6 +240,53 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
   measure = VectorNorm(3, n);
   for (PetscInt k = 0; normal && k < dim; k++) normal[k] = n[k] / measure;
   return measure;
+}
+
+/* Upper bound on sum_i |d phi_i / d xi_l| in the cell. Of functions that are linear on simplices it is attained at a vertex; those of boxes are
+   products of 8, of a line, and 5/4 in each other direction. */
+static PetscReal ElementSteepness_Private(const Reference *cell)
+{
+  if (cell->order == 1) return 2.;
+  return cell->simplex ? 10. : 8. * PetscPowRealInt(1.25, (int)cell->dim - 1);
+}
+
+/* With the affine cell of the same vertices next to the first one, axes a_l and nodes off by at most e, the columns of J differ from a_l
+   by e times the steepness. */
+PetscReal ElementBoundJacobian(ElementType type, const PetscReal X[])
+{
+  const Reference *cell             = &REFERENCE[type];
+  const PetscInt   dim              = cell->dim;
+  PetscReal        axis[MAX_DIM][3] = {{0.}}, e = 0., lengths = 1., product = 1., normal[3], det;
+
+  for (PetscInt i = 0; i < ElementNumNodes(cell->linear); i++) {
+    PetscInt ones = 0, along = 0;
+
+    for (PetscInt l = 0; l < dim; l++) {
+      if (cell->nodes[i][l] == 1.) along = l;
+      ones += cell->nodes[i][l] == 1.;
+    }
+    for (PetscInt k = 0; k < dim && ones == 1; k++) axis[along][k] = X[i * dim + k] - X[k];
+  }
+  for (PetscInt i = 0; i < cell->num_nodes; i++) {
+    PetscReal square = 0.;
+
+    for (PetscInt k = 0; k < dim; k++) {
+      PetscReal off = X[i * dim + k] - X[k];
+
+      for (PetscInt l = 0; l < dim; l++) off -= cell->nodes[i][l] * axis[l][k];
+      square += off * off;
+    }
+    e = PetscMax(e, square);
+  }
+  e = PetscSqrtReal(e) * ElementSteepness_Private(cell);
+  if (dim == 2) axis[2][2] = 1.;
+  VectorCross(axis[1], axis[2], normal);
+  det = dim == 1 ? axis[0][0] : VectorDot(3, axis[0], normal);
+  for (PetscInt l = 0; l < dim; l++) {
+    lengths *= VectorNorm(3, axis[l]);
+    product *= VectorNorm(3, axis[l]) + e;
+  }
+  return det - (product - lengths);
 }
 
 /* det J of tri3 and tet4 is constant and that of quad4 is linear in xi, so the nodes show its extremes: positive at every

@@ -108,6 +108,13 @@ void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule);
 /* ElementMap() at point q; x and grad may be NULL. */
 PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[], PetscReal x[], PetscReal grad[]);
 
+/* Gradient of a displacement at point q, H[k][l] = d v_k / d x_l; returns det J. Cheaper than the gradients of all shape functions.
+   [in] v - at the nodes [num_nodes][dim]; [out] x - [dim], may be NULL; [out] H - [dim][dim] */
+PetscReal ElementRuleGradient(const ElementRule *rule, PetscInt q, const PetscReal X[], const PetscReal v[],
+                              PetscReal x[], PetscReal H[]);
+
+/* A lower bound on det J in the cell: near it where the cell is nearly affine, far below, even negative, where it is not. */
+PetscReal ElementBoundJacobian(ElementType type, const PetscReal X[]);
 /* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In hex8 and cells of second order it is the smallest
    on a lattice that holds the nodes. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);

@@ -122,6 +122,11 @@ void CellReverse(ElementType type, PetscInt nodes[])
   }
 }
 
+static PetscBool LevelCellIsSound_Private(const Level *level, PetscReal longest, PetscReal jacobian)
+{
+  return (PetscBool)(jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim));
+}
+
 /* Reverses a cell that is inside out; tells whether it did, and whether the cell is sound then. */
 static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned, PetscBool *sound)
 {
@@ -129,14 +134,15 @@ static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned
   PetscReal         X[ELEMENT_MAX_NODES * 3], longest, jacobian;
 
   longest  = LevelCellCoords_Private(level, cell, X);
-  jacobian = ElementMinJacobian(type, X);
-  *turned  = jacobian < 0 ? PETSC_TRUE : PETSC_FALSE;
+  jacobian = ElementBoundJacobian(type, X); // enough for most cells, and cheap
+  if (!LevelCellIsSound_Private(level, longest, jacobian)) jacobian = ElementMinJacobian(type, X);
+  *turned = jacobian < 0 ? PETSC_TRUE : PETSC_FALSE;
   if (*turned) {
     CellReverse(type, &level->cell_nodes[level->cell_start[cell]]);
     (void)LevelCellCoords_Private(level, cell, X);
     jacobian = ElementMinJacobian(type, X);
   }
-  *sound = jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim) ? PETSC_TRUE : PETSC_FALSE;
+  *sound = LevelCellIsSound_Private(level, longest, jacobian);
 }
 
 /* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides it may be so for all

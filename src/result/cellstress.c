@@ -5,6 +5,25 @@
 
 enum { MAX_STRAINS = 6 };
 
+/* Engineering strains of a model. [in] H - gradient of the displacement [dim][dim]; [in] hoop - around the axis */
+static void CellStressTakeStrain_Private(PetscInt dim, PetscInt num_strains, const PetscReal H[], PetscReal hoop,
+                                         PetscReal strain[])
+{
+  if (dim == 3) {
+    strain[0] = H[0];
+    strain[1] = H[4];
+    strain[2] = H[8];
+    strain[3] = H[5] + H[7];
+    strain[4] = H[2] + H[6];
+    strain[5] = H[1] + H[3];
+  } else {
+    strain[0]               = H[0];
+    strain[1]               = H[3];
+    strain[2]               = hoop; // overwritten where the model has none
+    strain[num_strains - 1] = H[1] + H[2];
+  }
+}
+
 /* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out]
    C - loses its bulk modulus */
 static void CellStressAddPressure_Private(PetscInt num_strains, const CellStress *cell, const PetscReal x[],
@@ -45,18 +64,14 @@ PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const Elem
 {
   const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
   const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
-  PetscReal grad[ELEMENT_MAX_NODES * CELL_MAX_DIM], B[MAX_STRAINS * ELEMENT_MAX_NODES * CELL_MAX_DIM], x[CELL_MAX_DIM];
-  PetscReal hoop[ELEMENT_MAX_NODES], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS], poisson;
-  Eigenstrain e;
+  PetscReal       H[CELL_MAX_DIM * CELL_MAX_DIM], x[CELL_MAX_DIM], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS];
+  PetscReal       hoop = 0.0, poisson;
+  Eigenstrain     e;
 
   PetscFunctionBeginUser;
-  *det = ElementRuleMap(rule, q, cell->X, x, grad);
-  for (PetscInt i = 0; ring && i < n; i++) hoop[i] = rule->phi[q * n + i] / x[0];
-  ElementStrainMatrix(dim, n, grad, ring ? hoop : NULL, B);
-  for (PetscInt s = 0; s < num_strains; s++) {
-    strain[s] = 0.0;
-    for (PetscInt i = 0; i < n * dim; i++) strain[s] += B[s * n * dim + i] * cell->u[i];
-  }
+  *det = ElementRuleGradient(rule, q, cell->X, cell->u, x, H);
+  for (PetscInt i = 0; ring && i < n; i++) hoop += rule->phi[q * n + i] / x[0] * cell->u[i * dim];
+  CellStressTakeStrain_Private(dim, num_strains, H, hoop, strain);
   poisson = cell->poisson;
   if (cell->constant)
     PetscCall(PetscArraycpy(C, cell->C, num_strains * num_strains));

@@ -80,19 +80,19 @@ static void ValidityOfCell_Private(const Fields fields, PetscInt c, const Elemen
   const Level    *level = fields->vi->level;
   const PetscInt  dim = level->dim, n = ElementNumNodes(rule->type), *nodes = &level->cell_nodes[level->cell_start[c]];
   const PetscBool ring = (PetscBool)(level->scene->model == MODEL_AXISYMMETRIC);
-  PetscReal       X[ELEMENT_MAX_NODES * 3], grad[ELEMENT_MAX_NODES * 3], x[3], found[NUM_SIZES];
+  PetscReal       X[ELEMENT_MAX_NODES * 3], v[ELEMENT_MAX_NODES * 3], x[3], found[NUM_SIZES];
 
-  for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt k = 0; k < dim; k++) {
+      X[i * dim + k] = level->coords[nodes[i] * dim + k];
+      v[i * dim + k] = PetscRealPart(u[nodes[i] * dim + k]);
+    }
+  }
   for (PetscInt q = 0; q < rule->num; q++) {
     PetscReal H[10] = {0}, weight;
 
-    weight = PetscAbsReal(ElementRuleMap(rule, q, X, x, grad));
-    for (PetscInt i = 0; i < n; i++) {
-      const PetscScalar *v = &u[nodes[i] * dim];
-
-      for (PetscInt k = 0; k < dim * dim; k++) H[k] += PetscRealPart(v[k / dim]) * grad[i * dim + k % dim];
-      if (ring) H[9] += rule->phi[q * n + i] * PetscRealPart(v[0]) / x[0];
-    }
+    weight = PetscAbsReal(ElementRuleGradient(rule, q, X, v, x, H));
+    for (PetscInt i = 0; ring && i < n; i++) H[9] += rule->phi[q * n + i] * v[i * dim] / x[0];
     if (ring) weight *= x[0];
     ValidityOfGradient_Private(dim, H, found);
     found[NEGLECTED] = PetscSqrtReal(found[NEGLECTED]);

@@ -240,6 +240,53 @@ static void TestMinJacobian(void)
   CHECK_NEAR(ElementMinJacobian(ELEMENT_TET10, X), 1. - 4. * 0.3, EXACT);
 }
 
+/* The bound holds in random cells, and is det J itself in affine ones. */
+static void TestBoundJacobian(ElementType type)
+{
+  PetscReal X[MAX_DOFS];
+
+  for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
+    const PetscReal size = PetscPowRealInt(0.1, (int)(trial % 5)); /* of what bends the cell */
+
+    Reference(type, X);
+    for (PetscInt i = 0; i < DIM * ElementNumNodes(type); i++) X[i] += size * Uniform(-0.1, 0.1);
+    CHECK(ElementBoundJacobian(type, X) <= ElementMinJacobian(type, X) + EXACT);
+    if (size <= 1e-3) CHECK(ElementBoundJacobian(type, X) > 0.9 * ElementMinJacobian(type, X));
+    Reference(type, X);
+    for (PetscInt i = 0; i < ElementNumNodes(type); i++) X[DIM * i + 2] += 0.7 * X[DIM * i] - 2. * X[DIM * i + 1];
+    CHECK_NEAR(ElementBoundJacobian(type, X), 1., 1e3 * EXACT);
+  }
+}
+
+/* The gradient of a displacement is the sum of those of shape functions, in cells with any sides. */
+static void TestGradient(ElementType type)
+{
+  static ElementRule rule;
+
+  ElementRuleSet(type, ElementStiffnessDegree(type), &rule);
+  for (PetscInt trial = 0; trial < NUM_TRIALS; trial++) {
+    PetscReal X[MAX_DOFS], v[MAX_DOFS], grad[MAX_DOFS], H[DIM * DIM], x[DIM], same[DIM];
+
+    RandomCell(type, 2., X);
+    for (PetscInt i = 0; i < DIM * ElementNumNodes(type); i++) v[i] = Uniform(-1., 1.);
+    for (PetscInt q = 0; q < rule.num; q++) {
+      const PetscReal det = ElementRuleMap(&rule, q, X, same, grad);
+
+      CHECK_NEAR(ElementRuleGradient(&rule, q, X, v, x, H), det, EXACT);
+      for (PetscInt k = 0; k < DIM; k++) CHECK_NEAR(x[k], same[k], EXACT);
+      for (PetscInt kl = 0; kl < DIM * DIM; kl++) {
+        PetscReal sum = 0., size = 0.;
+
+        for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
+          sum += v[DIM * i + kl / DIM] * grad[DIM * i + kl % DIM];
+          size += PetscAbsReal(v[DIM * i + kl / DIM] * grad[DIM * i + kl % DIM]);
+        }
+        CHECK_NEAR(H[kl], sum, 100. * EXACT * (1. + size));
+      }
+    }
+  }
+}
+
 /* Points put into random cells are found where they were put; a little inside of a facet is inside, outside is not. */
 static void TestLocate(ElementType type)
 {
@@ -365,6 +412,8 @@ int main(int argc, char **argv)
     TestShape(TYPES[t]);
     TestMap(TYPES[t]);
     TestLocate(TYPES[t]);
+    TestGradient(TYPES[t]);
+    TestBoundJacobian(TYPES[t]);
     TestStiffness(TYPES[t]);
   }
   TestSurface();
