@@ -15,16 +15,24 @@ jobs=$(env -u OMP_NUM_THREADS nproc) # which otherwise tells the number of threa
 tests=$((2 * jobs)) # side by side: ranks wait for each other, and for mpiexec to start them
 
 # What makes building faster, where it is there: every unit test is linked with the objects of its layers.
-faster=""
-if command -v ccache >/dev/null; then faster="$faster -DCMAKE_C_COMPILER_LAUNCHER=ccache"; fi
-if command -v ld.gold >/dev/null; then faster="$faster -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold"; fi
+faster="" linker=""
+if command -v ccache >/dev/null; then faster="-DCMAKE_C_COMPILER_LAUNCHER=ccache"; fi
+if command -v ld.gold >/dev/null; then linker="-fuse-ld=gold"; fi
+
+# Flags that name libraries which PETSc loads first of all. The loader looks for a symbol in one library after the other, a hundred of them, and these
+# have the most: each of the thousands of processes of the tests then starts in two thirds of the time.
+first_libraries() {
+  printf %s "-Wl,--no-as-needed"
+  ldd "$(pkg-config --variable=libdir PETSc)"/libpetsc*.so 2>/dev/null |
+    awk '/^\tlib(openblas|stdc[+][+]|trilinos_teuchosparameterlist|trilinos_ml|crypto|superlu_dist)[.]so/ { printf " %s", $3 }'
+}
 
 # build <folder> <cmake option> ...
 build() {
   local folder=$1
   shift
   echo "building $folder"
-  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON $faster "$@"
+  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON $faster -DCMAKE_EXE_LINKER_FLAGS="$linker" "$@"
   quietly cmake --build "$folder" -j "$jobs"
 }
 
@@ -59,7 +67,7 @@ check_kernels() {
   done
 }
 
-build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long
+build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long -DCMAKE_EXE_LINKER_FLAGS="$linker $(first_libraries)"
 build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
 echo "testing with sanitizers"
 quietly ctest --test-dir build/sanitize $sanitized -j "$tests" --output-on-failure

@@ -75,6 +75,12 @@ def require(condition, sentence):
         raise Failure(sentence)
 
 
+def waiting():
+    """The environment of ranks that wait for one another: they sleep, see idle/idle.c. What a test loads itself comes first."""
+    libraries = [os.environ.get(name) for name in ("LD_PRELOAD", "MORTISE_TEST_IDLE")]
+    return {"LD_PRELOAD": ":".join(filter(None, libraries))}
+
+
 class Run:
     """One run of the program: what it said, and its files, read when asked for."""
 
@@ -87,7 +93,7 @@ class Run:
         self.command = launcher + [program] + CHECKS + ["-output", NAME] + self.arguments
         if idle:
             return
-        environment = os.environ | ({} if ranks > 1 else ALONE)
+        environment = os.environ | (waiting() if ranks > 1 else ALONE)
         done = subprocess.run(self.command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT, errors="replace")
         self.exit, self.stdout, self.stderr = done.returncode, done.stdout, done.stderr
 
