@@ -3,12 +3,24 @@
 #include "base/json.h"
 #include "base/warning.h"
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { TEXT_LENGTH = 2048, LABEL_LENGTH = 64 };
 
 static const char GRAVE[] = "grave", LABEL[] = "label"; /* keys of a warning within this file alone */
+static const char ACCEPTED[] = "accepted";
+
+/* All codes, as the table of options/GUIDE.md has them. */
+static const char *const CODES[] = {
+    "coarse_contact",    "coarse_curve",   "coarse_mesh",        "decimal_comma",   "edge_pressure", "far_motion",
+    "free_motion",       "gap_jump",       "held_friction",      "hidden_contact",  "hinged_parts",  "idle_gap",
+    "inf_sup_unknown",   "large_friction", "loaded_contact",     "lost_traction",   "marginal",      "mixed_units",
+    "model_limit",       "no_load",        "no_partner",         "not_confirmed",   "not_monotone",  "not_unique",
+    "nothing_to_decide", "open_contact",   "overlapping_bodies", "rough_load",      "skipped_run",   "slow_solver",
+    "solver_replaced",   "tied_gap",       "unbalanced_loads",   "unjoined_pieces", "unused_option",
+};
 
 /* The first rank's alone, but for the flags. */
 static struct {
@@ -20,7 +32,33 @@ static struct {
   int       before;        /* `ended` when they began to */
   int       muted, ended;  /* how often; warnings of runs that have ended */
   int       marked;        /* warnings of the run that are of all its solutions */
+  uint64_t  accepted;      /* bit k: CODES[k] was expected by the user */
 } book;
+
+_Static_assert(sizeof(CODES) / sizeof(*CODES) <= 64, "one bit for each code");
+
+const char *const *WarningCodes(PetscInt *num)
+{
+  *num = (PetscInt)(sizeof(CODES) / sizeof(*CODES));
+  return CODES;
+}
+
+static PetscBool WarningIsAccepted_Private(const char code[])
+{
+  for (size_t k = 0; k < sizeof(CODES) / sizeof(*CODES); k++)
+    if (!strcmp(CODES[k], code)) return (PetscBool)(book.accepted >> k & 1);
+  return PETSC_FALSE;
+}
+
+/* How many warnings of a list are not accepted. */
+static int WarningCount_Private(const cJSON *list)
+{
+  const cJSON *item;
+  int          num = 0;
+
+  cJSON_ArrayForEach(item, list) num += !cJSON_HasObjectItem(item, ACCEPTED);
+  return num;
+}
 
 static void WarningReset_Private(cJSON **list)
 {
@@ -54,7 +92,7 @@ static void WarningPrint_Private(const Warning *about, const char text[])
   char            key[TEXT_LENGTH + 256];
   cJSON          *line;
 
-  if (book.quiet || book.held) return;
+  if (book.quiet || book.held || WarningIsAccepted_Private(about->code)) return;
   (void)snprintf(key, sizeof(key), "%s %s %d %s", about->code, who, about->grave, several ? "" : text);
   line = cJSON_CreateString(key);
   if (WarningIsListed_Private(book.told, line)) {
@@ -80,6 +118,7 @@ static cJSON *WarningCreate_Private(const Warning *about, const char text[])
   else
     cJSON_AddNullToObject(one, "at");
   cJSON_AddItemToObject(one, "advice", about->advice ? cJSON_CreateString(about->advice) : cJSON_CreateNull());
+  if (WarningIsAccepted_Private(about->code)) cJSON_AddTrueToObject(one, ACCEPTED);
   if (about->grave) cJSON_AddTrueToObject(one, GRAVE);
   return one;
 }
@@ -139,7 +178,7 @@ void WarningBeginAgain(void)
 
 void WarningEndRun(void)
 {
-  if (book.within) book.ended += cJSON_GetArraySize(book.run); // those of a mark once more each time
+  if (book.within) book.ended += WarningCount_Private(book.run); // those of a mark once more each time
   book.within = PETSC_FALSE;
 }
 
@@ -204,7 +243,7 @@ static void WarningPrintList_Private(const cJSON *list)
 void WarningRelease(void)
 {
   book.held  = PETSC_FALSE;
-  book.ended = book.before + (book.retained ? cJSON_GetArraySize(book.retained) : cJSON_GetArraySize(book.run));
+  book.ended = book.before + WarningCount_Private(book.retained ? book.retained : book.run);
   WarningPrintList_Private(book.common);
   book.within = PETSC_TRUE; // its lines have its label
   if (book.retained)
@@ -220,9 +259,14 @@ void WarningSetQuiet(PetscBool quiet)
   book.quiet = quiet;
 }
 
+void WarningSetAccepted(uint64_t codes)
+{
+  book.accepted = codes;
+}
+
 PetscErrorCode WarningNum(MPI_Comm comm, PetscInt *num)
 {
-  int count = cJSON_GetArraySize(book.common) + book.ended + (book.within ? cJSON_GetArraySize(book.run) : 0);
+  int count = WarningCount_Private(book.common) + book.ended + (book.within ? WarningCount_Private(book.run) : 0);
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_INT, MPI_MAX, comm));
@@ -257,14 +301,15 @@ void WarningListUpdate(cJSON *list)
 
 void WarningExchange(WarningLists *lists)
 {
-  const WarningLists mine = {book.common, book.run, book.ended, book.marked, book.quiet};
+  const WarningLists mine = {book.common, book.run, book.ended, book.marked, book.quiet, book.accepted};
 
-  book.common = lists->common;
-  book.run    = lists->run;
-  book.ended  = lists->ended;
-  book.marked = lists->marked;
-  book.quiet  = lists->quiet;
-  *lists      = mine;
+  book.common   = lists->common;
+  book.run      = lists->run;
+  book.ended    = lists->ended;
+  book.marked   = lists->marked;
+  book.quiet    = lists->quiet;
+  book.accepted = lists->accepted;
+  *lists        = mine;
 }
 
 void WarningBreakRun(void)

@@ -15,6 +15,7 @@
 #define MORTISE_WARNING_H
 
 #include <petscsys.h>
+#include <stdint.h>
 #include <cjson/cJSON.h>
 
 /* What a warning is about, and what to do; everything but the code may be left out: {.code = "gap_jump", .pair = name}. */
@@ -54,8 +55,13 @@ void WarningRetain(void);
 void WarningForgetRetained(void);
 /* Keeps lines from stderr, not from the list. Not collective. */
 void WarningSetQuiet(PetscBool quiet);
+/* All codes. [out] num; the result is [num] */
+const char *const *WarningCodes(PetscInt *num);
+/* Warnings of these codes are kept, marked as accepted; they have no line and do not count. Not collective.
+   [in] codes - bit k for the code k of WarningCodes() */
+void WarningSetAccepted(uint64_t codes);
 
-/* How many warnings there were so far, of all runs together. Collective on comm. */
+/* How many warnings there were so far, of all runs together, without accepted ones. Collective on comm. */
 PetscErrorCode WarningNum(MPI_Comm comm, PetscInt *num);
 /* The array of the summary; empty on ranks that keep nothing. Not collective. Owned by the caller, or by what it is added to. */
 cJSON *WarningList(void);
@@ -66,6 +72,7 @@ typedef struct {
   cJSON    *common, *run;
   int       ended, marked;
   PetscBool quiet;
+  uint64_t  accepted;
 } WarningLists;
 /* Exchanges the lists for those of another problem. Not collective. */
 void WarningExchange(WarningLists *lists);

@@ -109,13 +109,13 @@ static PetscErrorCode ActivePredictionMove_Private(Iterate *it, Vec c)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* c = B M r, a cycle for the free unknowns. */
-static PetscErrorCode ActivePredictionCorrect_Private(Iterate *it, PC pc, Vec c)
+/* c = M B M r, a cycle for the free unknowns. [in] kept - whether B is that of the set before */
+static PetscErrorCode ActivePredictionCorrect_Private(Iterate *it, PC pc, PetscBool kept, Vec c)
 {
   PetscFunctionBeginUser;
   PetscCall(VecSet(it->free, 1));
   PetscCall(VecAXPY(it->free, -1, it->active));
-  PetscCall(MultigridSetFree(pc, it->free, NULL));
+  if (!kept) PetscCall(MultigridSetFree(pc, it->free, NULL));
   PetscCall(VecPointwiseMult(it->product, it->r, it->free));
   PetscCall(PCApply(pc, it->product, c));
   PetscCall(VecPointwiseMult(c, c, it->free));
@@ -128,7 +128,7 @@ static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
   const Vec upper = it->level->op.upper, c = it->step;
 
   PetscFunctionBeginUser;
-  PetscCall(ActivePredictionCorrect_Private(it, pc, c));
+  PetscCall(ActivePredictionCorrect_Private(it, pc, PETSC_FALSE, c));
   PetscCall(VecAXPY(c, 1, it->y));
   PetscCall(VecPointwiseMin(c, c, upper));
   PetscCall(VecAXPY(c, -1, it->y));
@@ -137,14 +137,14 @@ static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
 }
 
 /* One cycle beyond the bounds, and back onto them: what would penetrate touches. From a start without contact a
-   step that keeps within the bounds would be short. */
-static PetscErrorCode ActivePredictionJump_Private(Iterate *it, PC pc)
+   step that keeps within the bounds would be short. [in] kept - of ActivePredictionCorrect_Private() */
+static PetscErrorCode ActivePredictionJump_Private(Iterate *it, PC pc, PetscBool kept)
 {
   const Vec   c = it->step;
   PetscScalar work, energy;
 
   PetscFunctionBeginUser;
-  PetscCall(ActivePredictionCorrect_Private(it, pc, c));
+  PetscCall(ActivePredictionCorrect_Private(it, pc, kept, c));
   PetscCall(MatMult(it->level->op.A, c, it->product));
   it->hierarchy->work += it->level->share;
   PetscCall(VecDot(c, it->r, &work));
@@ -214,17 +214,19 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active)
+PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, PetscBool kept, Vec y,
+                                      Vec active)
 {
-  Iterate  it      = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
-  PetscInt changed = 0;
+  const PetscInt max     = kept ? MAX_CYCLES + 1 : MAX_CYCLES; // the first one needs no factors
+  Iterate        it      = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
+  PetscInt       changed = 0;
 
   PetscFunctionBeginUser;
   PetscCall(VecPointwiseMin(y, y, level->op.upper));
   PetscCall(ActivePredictionBegin_Private(&it));
   PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
-  for (PetscInt k = 0; k < MAX_CYCLES && (!k || changed); k++) {
-    PetscCall(ActivePredictionJump_Private(&it, pc));
+  for (PetscInt k = 0; k < max && (!k || changed); k++) {
+    PetscCall(ActivePredictionJump_Private(&it, pc, (PetscBool)(kept && !k)));
     PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
     PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " beyond: %" PetscInt_FMT " changed\n", k + 1, changed));
   }
@@ -240,7 +242,7 @@ PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *
 
   PetscFunctionBeginUser;
   PetscCall(ActivePredictionBegin_Private(&it));
-  PetscCall(ActivePredictionJump_Private(&it, pc));
+  PetscCall(ActivePredictionJump_Private(&it, pc, PETSC_FALSE));
   PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
   PetscCall(VecNorm(active, NORM_1, &size));
   for (PetscInt k = 0; k < MAX_FIRST_CYCLES && (PetscReal)changed > FEW_CHANGES * size; k++) {

@@ -35,7 +35,7 @@ PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   theta = error = relative = (PetscReal)NAN;
-  if (in->fields) {
+  if (in->fields && (!in->passing || in->fields->estimate)) {
     PetscCall(EstimateGet(in->fields, &estimate));
     PetscCall(CalibrationGetStandard(in->vi->level, &theta));
     error    = EstimateGetError(estimate, theta);

@@ -50,8 +50,10 @@ static PetscErrorCode SetupWarningsCompareBodies_Private(VI vi, const ScenePair 
     PetscCall(ExpressionEvaluate(force, scene->dim, zero, value));
     forces[i] = VectorNorm(scene->dim, value);
   }
-  PetscCall(SetupWarningsCompare_Private(
-      scene, spec, "the moduli", "check that both have the same units; a rigid tool may be an obstacle", moduli));
+  PetscCall(SetupWarningsCompare_Private(scene, spec, "the moduli",
+                                         "check that both have the same units; a rigid tool may be an obstacle; "
+                                         "-warnings_accept mixed_units where the moduli are meant",
+                                         moduli));
   PetscCall(
       SetupWarningsCompare_Private(scene, spec, "the body forces", "check that both have the same units", forces));
   PetscFunctionReturn(PETSC_SUCCESS);

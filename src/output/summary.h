@@ -25,6 +25,7 @@ typedef struct {
   const Certificate   *certificate;
   const Errors        *errors;
   Vec                  reactions;
+  PetscBool            passing;  /* another load step follows: an estimated error that nothing else needs is null */
   PetscBool            solved;   /* converged, certified, and not contradicted by a second solver */
   const EnergyBalance *balance;  /* of a load step with friction, else NULL */
   const cJSON         *estimate; /* the error and the meshes it was found on, or NULL where there was one mesh */

@@ -225,6 +225,9 @@ static const OptionEntry table[] = {
      "Prints mistakes and failures alone; -summary - still prints the summary, with its warnings."},
     {GROUP_OUTPUT, "-warnings", "tell|error", "", "tell",
      "Warnings are lines on stderr and entries of the summary; with error, any warning also makes the exit code 3."},
+    {GROUP_OUTPUT, "-warnings_accept", "code,...", "", "(none)",
+     "Codes of warnings that are expected, such as mixed_units for steel on rubber: they have no line and do not fail "
+     "the run, and the summary marks them as accepted."},
     {GROUP_OUTPUT, "-check", "0|1", "", "0",
      "Reads, meshes and checks the scene without solving it: tables of bodies, sides, pairs and loads, also in the "
      "summary, and with -output a picture of the undeformed bodies. Of a study, the first mesh; of load steps, t = 1."},

@@ -191,6 +191,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   PetscFunctionBeginUser;
   PetscCall(OptionFind(scene, "-options_allow_unused", NULL, NULL, &allow));
   PetscCall(OptionGetBool(&allow, &scene->allow_unused));
+  PetscCall(SceneWarningsRead(scene));
   PetscCall(SceneNamesRead(scene));
   if (!scene->allow_unused)
     PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */

@@ -70,6 +70,8 @@ PetscErrorCode ScenePairDestroy(ScenePair *pair);
 PetscErrorCode SceneObstacleRead(Scene scene, ScenePair *pair, const Option *shape);
 PetscErrorCode SceneProbeRead(Scene scene, SceneProbe *probe);
 PetscErrorCode ScenePathRead(Scene scene, ScenePath *path);
+/* sceneresults.c: before all that may warn. Collective. */
+PetscErrorCode SceneWarningsRead(Scene scene);
 PetscErrorCode SceneResultsRead(Scene scene);
 
 #endif

@@ -95,14 +95,57 @@ static PetscErrorCode ResultsReadCheck_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* -warnings_accept: a list of codes. [out] codes - of WarningSetAccepted() */
+static PetscErrorCode ResultsReadAccepted_Private(const Option *option, uint64_t *codes)
+{
+  PetscInt           num;
+  const char *const *known  = WarningCodes(&num), *near;
+  const char        *cursor = NULL;
+  char               word[OPTION_MAX];
+
+  PetscFunctionBeginUser;
+  *codes = 0;
+  if (!option->set) PetscFunctionReturn(PETSC_SUCCESS);
+  do {
+    PetscInt k = 0;
+
+    PetscCall(OptionNextItem(option, &cursor, word));
+    while (k < num && strcmp(known[k], word)) k++;
+    if (k < num) *codes |= (uint64_t)1 << k;
+    if (k < num) continue;
+    near = UserErrorNearest(word, num, known);
+    PetscCall(OptionRaise(option, "'%s' is no code of a warning%s%s%s", word, near ? "; did you mean " : "",
+                          near ? near : "; each line on stderr ends with its code", near ? "?" : ""));
+  } while (cursor);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SceneWarningsRead(Scene scene)
+{
+  Option   quiet, warnings, accepted;
+  PetscInt choice = WARNINGS_TELL;
+  uint64_t codes;
+
+  PetscFunctionBeginUser;
+  PetscCall(OptionFind(scene, "-quiet", NULL, NULL, &quiet));
+  PetscCall(OptionGetBool(&quiet, &scene->quiet));
+  PetscCall(OptionFind(scene, "-warnings", NULL, NULL, &warnings));
+  PetscCall(OptionGetChoice(&warnings, &choice));
+  scene->warnings_fail = (PetscBool)(choice == WARNINGS_ERROR);
+  WarningSetQuiet((PetscBool)(scene->quiet && !scene->warnings_fail)); // what fails a run is said
+  PetscCall(OptionFind(scene, "-warnings_accept", NULL, NULL, &accepted));
+  PetscCall(ResultsReadAccepted_Private(&accepted, &codes));
+  WarningSetAccepted(codes);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneResultsRead(Scene scene)
 {
-  Option   quiet, monitor, view, check, measure, infsup, type, warnings;
+  Option   monitor, view, check, measure, infsup, type;
   PetscInt choice = 0;
 
   PetscFunctionBeginUser;
   PetscCall(ResultsReadFiles_Private(scene));
-  PetscCall(OptionFind(scene, "-quiet", NULL, NULL, &quiet));
   PetscCall(OptionFind(scene, "-monitor", NULL, NULL, &monitor));
   PetscCall(OptionFind(scene, "-scene_view", NULL, NULL, &view));
   PetscCall(OptionFind(scene, "-cross_check", NULL, NULL, &check));
@@ -110,11 +153,6 @@ PetscErrorCode SceneResultsRead(Scene scene)
   PetscCall(OptionGetBool(&measure, &scene->measure_linear));
   PetscCall(OptionFind(scene, "-infsup", NULL, NULL, &infsup));
   PetscCall(OptionGetBool(&infsup, &scene->infsup));
-  PetscCall(OptionGetBool(&quiet, &scene->quiet));
-  PetscCall(OptionFind(scene, "-warnings", NULL, NULL, &warnings));
-  PetscCall(OptionGetChoice(&warnings, &choice));
-  scene->warnings_fail = (PetscBool)(choice == WARNINGS_ERROR);
-  WarningSetQuiet((PetscBool)(scene->quiet && !scene->warnings_fail)); // what fails a run is said
   PetscCall(OptionGetBool(&monitor, &scene->monitor));
   PetscCall(OptionGetBool(&view, &scene->view));
   PetscCall(OptionGetBool(&check, &scene->cross_check));

@@ -1,5 +1,6 @@
 /* scenesteps.c -- load steps: the times of the solutions, and what time multiplies. */
 #include "scene/sceneparts.h"
+#include "base/warning.h"
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -13,6 +14,60 @@ static void StepsGetCount_Private(const char text[], PetscInt *count)
   const long number = strtol(text, &end, 10);
 
   *count = end != text && !*end ? (PetscInt)PetscMin(number, STEPS_MOST + 1) : 0;
+}
+
+/* Whether the items of a list are whole numbers without a sign, and the times that they are with 0,5 read as 0.5. [out] meant - written with
+   points; empty where no item is 0 */
+static PetscErrorCode StepsReadPoints_Private(const Option *option, PetscBool *whole, char meant[OPTION_MAX],
+                                              PetscBool *increase)
+{
+  const char *cursor = NULL;
+  char        word[OPTION_MAX], next[OPTION_MAX];
+  PetscReal   last  = 0;
+  size_t      used  = 0;
+  PetscInt    zeros = 0;
+
+  PetscFunctionBeginUser;
+  *whole = *increase = PETSC_TRUE;
+  meant[0]           = '\0';
+  do {
+    PetscBool zero;
+
+    next[0] = '\0';
+    PetscCall(OptionNextItem(option, &cursor, word));
+    zero = (PetscBool)!strcmp(word, "0");
+    if (zero && cursor) PetscCall(OptionNextItem(option, &cursor, next));
+    *whole =
+        (PetscBool)(*whole && strspn(word, "0123456789") == strlen(word) &&
+                    strspn(next, "0123456789") == strlen(next) && used + strlen(word) + strlen(next) + 3 < OPTION_MAX);
+    if (!*whole) PetscFunctionReturn(PETSC_SUCCESS);
+    zeros += zero;
+    used +=
+        (size_t)snprintf(meant + used, OPTION_MAX - used, "%s%s%s%s", used ? "," : "", word, *next ? "." : "", next);
+    (void)snprintf(word + strlen(word), sizeof(word) - strlen(word), ".%s", next);
+    if (!(strtod(word, NULL) > last)) *increase = PETSC_FALSE;
+    last = strtod(word, NULL);
+  } while (cursor);
+  if (!zeros) meant[0] = '\0';
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A decimal comma: 0,5 and 0,25,0,5,1 are times that hardly anybody means. Unloading, 1,0,1, and 0,2,4 are times. */
+static PetscErrorCode StepsWarnComma_Private(const Option *option, const SceneSteps *steps)
+{
+  char      meant[OPTION_MAX];
+  PetscBool whole, increase, ascends = PETSC_TRUE;
+
+  PetscFunctionBeginUser;
+  PetscCall(StepsReadPoints_Private(option, &whole, meant, &increase));
+  if (!whole || !increase || !meant[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 1; i < steps->num; i++) ascends = (PetscBool)(ascends && steps->t[i] > steps->t[i - 1]);
+  if (ascends && (steps->num > 2 || steps->t[steps->num - 1] == 1)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningAdd(&(Warning){.code = "decimal_comma", .advice = "the decimal mark is a point, not a comma"},
+                       "-load_steps %s asks for %" PetscInt_FMT
+                       " solutions, the last one at t = %g, and not for t = %s",
+                       option->text, steps->num, (double)steps->t[steps->num - 1], meant));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* -load_steps 10, or the values of t. */
@@ -35,6 +90,7 @@ static PetscErrorCode StepsReadTimes_Private(const Option *option, SceneSteps *s
   }
   PetscCall(PetscMalloc1(steps->num, &steps->t));
   PetscCall(OptionGetReals(option, steps->num, steps->t));
+  PetscCall(StepsWarnComma_Private(option, steps));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

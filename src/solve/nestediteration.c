@@ -393,7 +393,8 @@ static PetscErrorCode NestedIterationMarkBounds_Private(const Operator *op, Vec 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, Vec y, Vec active, PetscBool *found)
+PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, PetscBool kept, Vec y, Vec active,
+                                      PetscBool *found)
 {
   const Hierarchy       hierarchy = levels->hierarchy;
   const HierarchyLevel *finest    = &hierarchy->level[hierarchy->num - 1];
@@ -407,7 +408,7 @@ PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, Vec y
   PetscCall(NestedIterationMarkBounds_Private(&finest->op, y, active));
   PetscCall(NestedIterationMoveToBounds_Private(&finest->op, active, y));
   if (finest->S)
-    PetscCall(ActivePredictionBeyond(hierarchy, finest, pc, y, active));
+    PetscCall(ActivePredictionBeyond(hierarchy, finest, pc, kept, y, active));
   else
     PetscCall(ActivePredictionApply(hierarchy, finest, pc, y, active, &energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);

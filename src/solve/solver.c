@@ -48,15 +48,17 @@ static PetscErrorCode SolverStartNested_Private(SolverContext *context, Vec y, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Starts from the solution of the mesh before this one was refined, or of the load step before. */
-static PetscErrorCode SolverStartExtended_Private(SolverContext *context, Vec y)
+/* Starts from the solution of the mesh before this one was refined, or of the load step before. [in] kept - of
+   NestedIterationPredict() */
+static PetscErrorCode SolverStartExtended_Private(SolverContext *context, PetscBool kept, Vec y)
 {
   PetscBool found;
   Vec       active;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(y, &active));
-  PetscCall(NestedIterationPredict(context->levels, context->snes, context->proximal.solved.vi, y, active, &found));
+  PetscCall(
+      NestedIterationPredict(context->levels, context->snes, context->proximal.solved.vi, kept, y, active, &found));
   if (found) PetscCall(PDASSetStart(context->snes, active));
   PetscCall(VecDestroy(&active));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -160,7 +162,7 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (context->levels) context->levels->cost.on = choice->yields;
   if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, &energy_decrease));
   if (context->levels && !nested && guess && pdas && predict && !solver->vi->friction)
-    PetscCall(SolverStartExtended_Private(context, y));
+    PetscCall(SolverStartExtended_Private(context, (PetscBool)!solver->extended, y));
   solver->extended = PETSC_FALSE;
   if (pdas) PetscCall(SolverTakeSet_Private(solver, context));
   if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));

@@ -27,6 +27,7 @@ typedef struct {
   PetscBool    repeated; /* all steps are solved on each of the adaptive meshes */
   PetscInt     parts;    /* of each step: 1, but with -load_steps_halved */
   PetscBool    coarse;   /* all steps are solved, but errors are larger than what was asked for */
+  PetscBool    passing;  /* another step follows the present one, if that is solved */
   PetscBool    any;      /* whether a step is solved: */
   char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
   OutputSeries series;
@@ -153,7 +154,8 @@ static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, PetscBool fields
     PetscCall(StepsAddTable(output, scene, steps->rows));
     PetscCall(LogStageEnd(STAGE_OUTPUT));
   }
-  input.steps = steps->rows;
+  input.steps   = steps->rows;
+  input.passing = (PetscBool)(steps->passing && run->solved);
   PetscCall(SummaryCreate(&input, text));
   PetscCall(StepsAddSummary_Private(steps, output, *text));
   InterruptHold();
@@ -227,6 +229,7 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   cJSON          *row, *before;
 
   PetscFunctionBeginUser;
+  steps->passing = (PetscBool)(i + 1 < steps->scene->steps.num);
   if (i) PetscCall(LogReset(LogWallClock()));
   PetscCall(StepsSolveParts_Private(steps, i, mesh, guess, run, &before));
   if (later) WarningRetain();

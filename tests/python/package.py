@@ -150,6 +150,10 @@ def test_runs(arguments):
     same("warnings", [(str(w.message).split(":")[0].split(" ")[0], w.category) for w in caught], [("model_limit", mortise.MortiseWarning)])
     same("place of the warning", caught[0].filename, __file__)
     same("warnings of the run", [w.code for w in large.warnings], ["model_limit"])
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        meant = mortise.run(PATCH, {"upper_young": 1e5, "lower_young": 1e5, "upper_bc_displacement_top": "free,-0.5", "warnings_accept": "model_limit"})
+    same("accepted warnings", (len(caught), [w.accepted for w in meant.warnings]), (0, [True]))
 
 
 def test_failures(arguments):

@@ -21,6 +21,16 @@ MEANT = {
 }
 
 
+def judge_accepted(run):
+    """-warnings_accept: no line, no exit code 3, an entry that is marked; other codes as before."""
+    for name, more in run.some({"accepted": [], "strict": ["-warnings", "error"], "steps": ["-load_steps", "2", "-warnings", "error"]}.items()):
+        case = run.again("-lid_young", "2e9", "-warnings_accept", "mixed_units,gap_jump", *more, name=name, warns=["mixed_units"])
+        same(f"{name}: marked", [(warning["code"], warning.get("accepted")) for warning in case.summary["warnings"]], [("mixed_units", True)])
+        require("[mixed_units]" not in case.stderr, f"{name}: {case.stderr}")
+    other = run.again("-lid_young", "2e9", "-warnings_accept", "gap_jump", name="other", warns=["mixed_units"])
+    require("accepted" not in other.summary["warnings"][0] and "[mixed_units]" in other.stderr, other.stderr)
+
+
 def judge(run):
     for name, (options, code, about, words) in run.some(DOUBTFUL.items()):
         case = run.again(*options.split(), name=name, warns=[code])
@@ -32,5 +42,6 @@ def judge(run):
         run.again(*options.split(), name=name, warns=[])
     angle = run.again("-joint_friction", "30", name="angle", warns=["large_friction", "held_friction"])  # the wall holds the corner of the lid
     require("-joint_friction 30 is a coefficient larger than materials have" in angle.stderr, angle.stderr)
+    judge_accepted(run)
     checked = run.again("-check", "-joint_gap_offset", "0.1", name="check", warns=["idle_gap"])
     same("status", checked.summary["status"], "checked")

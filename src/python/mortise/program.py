@@ -123,6 +123,8 @@ def execute(command: list[str], environment: Mapping[str, str], limits: Limits) 
 
 def tell_warnings(run: Run, level: int) -> None:
     for warning in run.warnings:
+        if warning.get("accepted"):  # the scene expects it: -warnings_accept
+            continue
         place = warning.get("body") or warning.get("pair")
         words = "; ".join(filter(None, (warning["text"], warning.get("advice"))))
         warnings.warn(f"{warning['code']}{f' ({place})' if place else ''}: {words}", MortiseWarning, stacklevel=level + 1)
