@@ -84,7 +84,7 @@ SCENES = {
     "tightened": ["-options_file", "tests/regression/bolt_springs.opts"],
     "slipping": ["-options_file", "options/incline.opts"],
     "pulled": ["-options_file", "tests/hard/pieces.opts", "-lids_body_force", "0,1"],
-    "jump": ["-options_file", "tests/hard/chamfer.opts"],
+    "jump": ["-options_file", "tests/hard/chamfer.opts", "-warnings_accept", "gap_jump"],
     "large": ["-options_file", "options/two_plates.opts", "-upper_young", "1e3", "-upper_dm_plex_box_faces", "4,4", "-lower_dm_plex_box_faces", "3,3"],
     "study": ["-options_file", "options/manufactured_full.opts", "-study", "uniform", "-study_levels", "3", "-upper_dm_plex_box_faces", "4,4",
               "-lower_dm_plex_box_faces", "3,3", "-probes", "p", "-probe_p_body", "upper", "-probe_p_at", "0.5,0.5"],
