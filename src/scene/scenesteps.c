@@ -22,7 +22,7 @@ static PetscErrorCode StepsReadPoints_Private(const Option *option, PetscBool *w
                                               PetscBool *increase)
 {
   const char *cursor = NULL;
-  char        word[OPTION_MAX], next[OPTION_MAX];
+  char        word[OPTION_MAX], next[OPTION_MAX], time[2 * OPTION_MAX];
   PetscReal   last  = 0;
   size_t      used  = 0;
   PetscInt    zeros = 0;
@@ -44,9 +44,9 @@ static PetscErrorCode StepsReadPoints_Private(const Option *option, PetscBool *w
     zeros += zero;
     used +=
         (size_t)snprintf(meant + used, OPTION_MAX - used, "%s%s%s%s", used ? "," : "", word, *next ? "." : "", next);
-    (void)snprintf(word + strlen(word), sizeof(word) - strlen(word), ".%s", next);
-    if (!(strtod(word, NULL) > last)) *increase = PETSC_FALSE;
-    last = strtod(word, NULL);
+    (void)snprintf(time, sizeof(time), "%s.%s", word, next);
+    if (!(strtod(time, NULL) > last)) *increase = PETSC_FALSE;
+    last = strtod(time, NULL);
   } while (cursor);
   if (!zeros) meant[0] = '\0';
   PetscFunctionReturn(PETSC_SUCCESS);
