@@ -161,7 +161,7 @@ static PetscBool RecordsAnswer_Private(PetscInt num, FacetRecord record[], Facet
 
   for (PetscInt i = 0; i < num; i++) record[i].at = i;
   for (PetscInt i = 0; i < num; i++) answer[i] = (FacetAnswer){.neighbour = -1, .group = -1, .group_end = -1};
-  qsort(record, (size_t)num, sizeof(*record), FacetCompareFn);
+  if (num) qsort(record, (size_t)num, sizeof(*record), FacetCompareFn);
   for (PetscInt begin = 0, end; begin < num; begin = end) {
     PetscBool same = PETSC_TRUE;
 

@@ -81,7 +81,7 @@ static PetscErrorCode PointRecordsCreate_Private(DM dm, const PetscInt ids[], Pe
 static void PointRecordsAnswer_Private(PetscInt num, PointRecord record[], PointAnswer answer[])
 {
   for (PetscInt i = 0; i < num; i++) record[i].at = i;
-  qsort(record, (size_t)num, sizeof(*record), PointCompareFn);
+  if (num) qsort(record, (size_t)num, sizeof(*record), PointCompareFn);
   for (PetscInt i = 0, owner = 0; i < num; i++) {
     for (PetscInt k = 0; k < CORNERS; k++)
       if (record[i].key[k] != record[owner].key[k]) owner = i;
