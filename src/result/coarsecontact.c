@@ -26,6 +26,8 @@ static const PetscReal BEYOND_PART = 0.1;
 static const PetscReal EXPONENT_SHOWS = 0.01375;
 /* The turn of the facets around a node that is none, as a part of their edges. */
 static const PetscReal CLOSED = 1e-6;
+/* Roundoff of a force relative to the stiffness times the displacements: bodies that have left each other. */
+static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 enum {
@@ -242,7 +244,8 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
   const PetscInt      dim    = fields->vi->level->dim;
   const SceneBody    *body   = &fields->vi->scene->bodies[fields->vi->pairs[p]->spec->nonmortar.body];
   const PetscInt      across = dim - 2, order = body->order;
-  PetscInt            at = 0;
+  const PetscReal     roundoff = FORCE_ROUNDING * fields->vi->stiffness * fields->u_ref;
+  PetscInt            at       = 0;
   ContactPatches      patches;
   const ContactPatch *patch;
 
@@ -252,7 +255,7 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
   for (PetscInt i = 1; i < patches.num; i++) // of equal ones the first, on any number of ranks
     if (patches.patch[i].max_pressure > (1 + PETSC_SQRT_MACHINE_EPSILON) * patches.patch[at].max_pressure) at = i;
   patch = patches.num ? &patches.patch[at] : NULL;
-  if (patch && patch->facets * order <= FEW && patch->normal_force > 0) {
+  if (patch && patch->facets * order <= FEW && patch->normal_force > roundoff) {
     PetscReal ends[NUM_ENDS], twice;
     PetscBool goes_on = PETSC_FALSE;
     Vec       marks;

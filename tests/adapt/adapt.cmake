@@ -16,6 +16,8 @@ mortise_scene_test(shells3d CHECK shells.py RANKS 1 ARGS -adapt 2e-2)
 mortise_scene_test(half_discs CHECK swapped.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz2d_graded CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz_axisymmetric CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
+# The page of -report has all bars.
+mortise_scene_test(page SCENE two_plates CHECK page.py RANKS 1 ARGS ${plates} -adapt 5e-2 -report)
 # The same meshes and numbers on any number of ranks, with either solver, multigrid and a second opinion.
 mortise_scene_test(ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 2e-2)
 mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plates} -adapt 2e-2)

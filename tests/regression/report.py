@@ -66,6 +66,15 @@ def read(number):
     return float(mantissa) * 10.0 ** int(power or 0), 0.5 * open_digits * 10.0 ** int(power or 0)
 
 
+def leaves(tree):
+    """All numbers of nested dictionaries and lists."""
+    if isinstance(tree, (dict, list)):
+        for part in tree.values() if isinstance(tree, dict) else tree:
+            yield from leaves(part)
+    elif isinstance(tree, float | int):
+        yield tree
+
+
 def judge_digits(page, bars):
     """What is read is what the machine reads, rounded; only beside larger ones in its row a number may be read as 0. Error bars are
     rounded up, and have the rounding of their value in them."""
@@ -196,7 +205,8 @@ def judge(run):
     require(TITLE in page.words, "the title is not what was given")
     judge_pictures(page, 1 + len(run.summary["pairs"]) + ("study" in run.summary))
     judge_numbers(page, run.summary)
-    judge_digits(page, [quantity["uncertainty"] for quantity in run.summary.get("study", {}).get("richardson", {}).values()])
+    judge_digits(page, [quantity["uncertainty"] for quantity in run.summary.get("study", {}).get("richardson", {}).values()]
+                 + list(leaves(run.summary.get("bars") or {})))
     if "study" in run.summary:
         judge_study(page, run.summary["study"])
         return
