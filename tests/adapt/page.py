@@ -32,6 +32,6 @@ def judge(run):
         require(bar <= read(found[0][1][1]) <= 1.1 * bar, f"the bar {bar} is read as {found[0][1][1]}")
     potential = [[number for number, _ in row] for words, row in rows if "energy, potential" in words]
     same("energy", potential, [[summary["energy"]["potential"], summary["bars"]["energy"]["potential"]]])
-    meshes = [[number for number, _ in row] for _, row in rows if len(row) == 6]
+    meshes = [[number for number, _ in row] for _, row in rows_of(page[page.index("Meshes, the last one"):]) if len(row) == 6]
     for index, mesh in enumerate(summary["estimate"]["meshes"], 1):
         same(f"mesh {index}", meshes[index - 1][:3], [float(index), float(mesh["cells"]), float(mesh["unknowns"])])

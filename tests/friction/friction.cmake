@@ -53,7 +53,8 @@ mortise_scene_test(jaeger SCENE fretting CHECK jaeger.py ARGS -joint_gap "max(ab
   -lower_dm_plex_box_faces 64,16 -load_steps 1,2)
 mortise_scene_test(arch OWN_RUNS SCENE incline CHECK arch.py RANKS 1 3)
 mortise_scene_test(locked CHECK locked.py RANKS 1 3)
-mortise_scene_test(sprung SCENE locked CHECK sprung.py RANKS 1 ARGS -flank_friction 0.1)
+# Roundoff decides whether a node still touches, or the motion is free.
+mortise_scene_test(sprung SCENE locked CHECK sprung.py RANKS 1 ARGS -flank_friction 0.1 -warnings_accept free_motion)
 mortise_scene_test(hard OWN_RUNS SCENE incline CHECK hard.py RANKS 1 3)
 mortise_scene_test(third_solver CHECK third_solver.py)
 mortise_scene_test(third_solver_solid CHECK third_solver.py)
