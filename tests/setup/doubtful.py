@@ -37,7 +37,8 @@ def judge(run):
         warning = case.summary["warnings"][0]
         same(f"{name}: about", warning[about], {"pair": "joint", "body": "lid"}[about])
         require(words in warning["text"], f"{name}: {warning['text']}")
-        near(f"{name}: force", case.pair("joint")["force"], [0, 1], absolute=1e-9)
+        # the table gives way by 5e-4, and roundoff of that times the stiffness of a lid of 2e9 is 2e-10 for each of its couplings
+        near(f"{name}: force", case.pair("joint")["force"], [0, 1], absolute=1e-8 if name == "modulus" else 1e-9)
     for name, options in run.some(MEANT.items()):
         run.again(*options.split(), name=name, warns=[])
     angle = run.again("-joint_friction", "30", name="angle", warns=["large_friction", "held_friction"])  # the wall holds the corner of the lid
