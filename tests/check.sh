@@ -12,7 +12,7 @@ esac
 install_missing $build_packages $python_packages $pip_packages
 set_up_mpi
 jobs=$(env -u OMP_NUM_THREADS nproc) # which otherwise tells the number of threads that a user wants of OpenMP
-tests=$((3 * jobs)) # side by side: one that runs on several ranks counts as many, and its ranks wait for each other, and for mpiexec to start them
+tests=$((5 * jobs)) # side by side: one that runs on several ranks counts as many, and its ranks wait for each other, and for mpiexec to start them
 
 # What makes building faster, where it is there: every unit test is linked with the objects of its layers.
 faster="" linker=""
