@@ -1,7 +1,7 @@
 /* threads.c -- see the header.
 
    CHOLMOD takes four threads for blocks of a few rows, whatever OMP_NUM_THREADS says, and OpenBLAS one on each processor. They wait for one another
-   most of the time. Who asks for more than one thread has them. */
+   most of the time. A user that asks for more than one thread has them. */
 #define _GNU_SOURCE // RTLD_DEFAULT
 #include "base/threads.h"
 #include <dlfcn.h>

@@ -2,7 +2,7 @@
    group of ranks.
 
    On several ranks a distributed factorization would be messages and hardly any work. Ranks of one machine share its memory: where the
-   factors of all would not fit into caches, one of a group solves while the others wait, who could do no more than the same.
+   factors of all would not fit into caches, one rank of a group solves while the others wait.
    PETSc's PCREDUNDANT does not pass on that the matrix is positive definite: its factorization looks for pivots, and finds some
    where one rank finds none. */
 #include "base/compat.h"
