@@ -22,6 +22,9 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Fri
     pdas->friction_report.shortened += step.shortened ? 1 : 0;
     pdas->safeguarded = (PetscBool)(pdas->friction_report.shortened > 0);
     pdas->residual    = step.size > 0 ? step.residual / step.size : 0;
+    PetscCall(PetscInfo(
+        snes, "friction, step %" PetscInt_FMT ": %" PetscInt_FMT " decisions changed, residual %g of %g%s\n",
+        pdas->iterations, step.changed, (double)step.residual, (double)step.size, step.shortened ? ", shortened" : ""));
     PetscCall(SNESSetIterationNumber(snes, pdas->iterations));
     PetscCall(SNESSetFunctionNorm(snes, step.residual));
     PetscCall(SNESMonitor(snes, pdas->iterations, step.residual));

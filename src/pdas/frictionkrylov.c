@@ -35,6 +35,7 @@ typedef struct {
   PetscBool      told;    /* decisions are set in the cycle */
   PetscBool      begun;   /* units have decided */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
+  PetscBool      turns;   /* units have two tangents: slip may turn */
 } Krylov;
 
 /* Forces of y, and the residuals of all equations: of the law, and of equations without a unit. [out] size -
@@ -103,8 +104,8 @@ static PetscErrorCode FrictionKrylovLoad_Private(FrictionMethod method)
 }
 
 /* Accuracy of the next system. It is higher if steps do not descend, since they may be too inexact. If
-   decisions hold it is that of the tolerance; with slip it is that which Newton's method can use. Without
-   contact there may be no force as reference. */
+   decisions hold it is that of the tolerance: in a plane the system is then the law itself. In space slip turns,
+   and it is that which Newton's method can use. Without contact there may be no force as reference. */
 static PetscReal FrictionKrylovForce_Private(Krylov *t, PetscReal rtol, PetscReal residual, const FrictionReport *count,
                                              const FrictionStep *step)
 {
@@ -114,7 +115,7 @@ static PetscReal FrictionKrylovForce_Private(Krylov *t, PetscReal rtol, PetscRea
   if (step->changed || residual == 0) return t->forcing;
   if (!step->closed && !count->slipping && !count->sticking) return LEAST_FORCING;
   end = PetscMax(LAST_FORCING * rtol * t->size / residual, LEAST_FORCING);
-  return PetscMin(t->forcing, count->slipping ? PetscMax(end, t->ratio) : end);
+  return PetscMin(t->forcing, t->turns && count->slipping ? PetscMax(end, PetscSqr(t->ratio)) : end);
 }
 
 /* Slope of the energy without friction along t->d: -r d without the contact forces. */
@@ -360,6 +361,8 @@ PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y)
   PetscCall(VecDuplicate(y, &t->d));
   PetscCall(PetscMalloc2(set->n, &t->all, set->n, &t->from));
   for (PetscInt i = 0; i < set->n; i++) t->all[i] = PETSC_TRUE;
+  for (PetscInt a = 0; a < method->units.num; a++) t->turns = (PetscBool)(t->turns || method->units.unit[a].num > 1);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &t->turns, 1, MPIU_BOOL, MPI_LOR, set->comm));
   PetscCall(VecZeroEntries(t->y));
   PetscCall(ActiveSolverResidual(method->solver, t->all, t->y, t->r, t->f, &t->reference));
   PetscCall(VecCopy(y, t->y));
