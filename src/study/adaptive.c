@@ -474,7 +474,7 @@ PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i)
   return (PetscBool)(EnvelopeGetError(&adaptive->envelope, i) <= adaptive->scene->adapt.tolerance);
 }
 
-PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec *guess)
+PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess)
 {
   const Mesh     mesh     = adaptive->mesh;
   const PetscInt level    = mesh->num_levels - 1;
@@ -496,7 +496,9 @@ PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec *guess)
   PetscCall(LogStageBegin(STAGE_SETUP));
   PetscCall(EnvelopeMark(envelope, &mesh->levels[level], adaptive->scene->adapt.marking, &marked));
   PetscCall(MeshAdapt(mesh, marked));
-  PetscCall(PromotionApply(mesh, level, level + 1, envelope->first, guess));
+  PetscCall(PetscMalloc1(envelope->num, guess));
+  for (PetscInt i = 0; i < envelope->num; i++)
+    PetscCall(PromotionApply(mesh, level, level + 1, envelope->u[i], &(*guess)[i]));
   PetscCall(LogStageEnd(STAGE_SETUP));
   PetscCall(PetscFree(marked));
   PetscFunctionReturn(PETSC_SUCCESS);

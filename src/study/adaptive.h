@@ -27,8 +27,9 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run);
 PetscErrorCode AdaptiveAddStep(Adaptive adaptive, PetscInt i, Run run);
 /* Behind the last step: prints the line of the mesh, and refines unless it is the last one, with a reason in the report of the run if errors
    are larger than what was asked for. Collective.
-   [in,out] run - of the last step, destroyed where there is a new mesh; [out] guess - the first step on it, NULL otherwise */
-PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec *guess);
+   [in,out] run - of the last step, destroyed where there is a new mesh; [out] guess - all steps on it, owned by the caller
+   [steps]; NULL otherwise */
+PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess);
 /* Whether a step is known as well as is asked for. Not collective. */
 PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i);
 

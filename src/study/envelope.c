@@ -8,16 +8,20 @@ PetscErrorCode EnvelopeCreate(PetscInt num, Envelope *envelope)
   PetscFunctionBeginUser;
   *envelope = (Envelope){.num = num};
   PetscCall(PetscCalloc1(num, &envelope->step));
+  PetscCall(PetscCalloc1(num, &envelope->u));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode EnvelopeDestroy(Envelope *envelope)
 {
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < envelope->num; i++) PetscCall(MeshHistoryDestroy(&envelope->step[i]));
+  for (PetscInt i = 0; i < envelope->num; i++) {
+    PetscCall(MeshHistoryDestroy(&envelope->step[i]));
+    PetscCall(VecDestroy(&envelope->u[i]));
+  }
   PetscCall(PetscFree(envelope->step));
+  PetscCall(PetscFree(envelope->u));
   PetscCall(PetscFree(envelope->cell));
-  PetscCall(VecDestroy(&envelope->first));
   envelope->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -61,11 +65,11 @@ PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal se
   if (!i) {
     PetscCall(PetscFree(envelope->cell));
     PetscCall(PetscCalloc1(run->vi->level->num_cells, &envelope->cell));
-    PetscCall(PetscObjectReference((PetscObject)run->fields->u));
-    PetscCall(VecDestroy(&envelope->first));
-    envelope->first = run->fields->u;
     envelope->worst = 0;
   }
+  PetscCall(PetscObjectReference((PetscObject)run->fields->u));
+  PetscCall(VecDestroy(&envelope->u[i]));
+  envelope->u[i] = run->fields->u;
   PetscCall(MeshHistoryAdd(&envelope->step[i], run, seconds));
   PetscCall(MeshHistoryDescribe(&envelope->step[i], run));
   if (EnvelopeGetError(envelope, i) > EnvelopeGetError(envelope, envelope->worst)) envelope->worst = i;

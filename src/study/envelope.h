@@ -10,7 +10,7 @@ typedef struct {
   MeshHistory *step;  /* the meshes of each [num], or NULL */
   PetscInt     worst; /* step with the largest relative error on the latest mesh */
   PetscReal   *cell;  /* eta_T^2 / |u|_a^2, the largest of all steps on the latest mesh [num_cells], or NULL */
-  Vec          first; /* displacement of the first step on the latest mesh, or NULL */
+  Vec         *u;     /* displacements of steps on the latest mesh, NULL where there is none [num] */
 } Envelope;
 
 /* Collective. [in] num - of load steps */

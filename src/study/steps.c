@@ -313,16 +313,35 @@ static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All steps, until one is not solved. [in] guess - for the first, or NULL; [in,out] text - as of StepsWrite_Private() */
-static PetscErrorCode StepsSolveAll_Private(Steps *steps, Mesh mesh, Vec guess, Run *run, char **text)
+/* The guess of a step from those of the coarser mesh. The step before shows what this mesh adds to them. [in] coarse - all steps of the
+   coarser mesh, on this one; [in] run - of the step before; [out] guess - ghosted, owned by the caller */
+static PetscErrorCode StepsCorrectGuess_Private(const Vec coarse[], PetscInt i, Run run, Vec *guess)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(coarse[i], guess));
+  PetscCall(VecCopy(coarse[i], *guess));
+  if (i) PetscCall(VecAXPBYPCZ(*guess, 1, -1, 1, run->fields->u, coarse[i - 1]));
+  PetscCall(VecGhostUpdateBegin(*guess, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(*guess, INSERT_VALUES, SCATTER_FORWARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All steps, until one is not solved. [in] first - guess for the first, or NULL; [in] coarse - of StepsCorrectGuess_Private(), or NULL;
+   [in,out] text - as of StepsWrite_Private() */
+static PetscErrorCode StepsSolveAll_Private(Steps *steps, Mesh mesh, Vec first, const Vec coarse[], Run *run,
+                                            char **text)
 {
   const SceneSteps *plan = &steps->scene->steps;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < plan->num && (!i || (*run)->solved); i++) {
+    Vec guess = NULL;
+
     free(*text);
     *text = NULL;
-    PetscCall(StepsSolve_Private(steps, i, mesh, i ? NULL : guess, run, text));
+    if (coarse) PetscCall(StepsCorrectGuess_Private(coarse, i, *run, &guess));
+    PetscCall(StepsSolve_Private(steps, i, mesh, i || coarse ? guess : first, run, text));
+    PetscCall(VecDestroy(&guess));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -380,7 +399,7 @@ static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run
       PetscCall(StepsBeginAgain_Private(steps));
     }
     PetscCall(RunDestroy(run)); // history begins anew
-    PetscCall(StepsSolveAll_Private(steps, mesh, first, run, text));
+    PetscCall(StepsSolveAll_Private(steps, mesh, first, NULL, run, text));
     if (!steps->quiet)
       PetscCall(PetscPrintf(comm, "steps in %" PetscInt_FMT " part%s: %s, %.2g s\n", steps->parts, level ? "s" : "",
                             (*run)->solved ? "solved" : "NOT SOLVED", LogWallClock() - start));
@@ -398,14 +417,15 @@ static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run
    as of StepsWrite_Private() */
 static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
 {
-  Vec       guess = NULL;
+  Vec      *guess = NULL;
   PetscBool all; // steps are solved
 
   PetscFunctionBeginUser;
   WarningHold();
   while (PETSC_TRUE) {
-    PetscCall(StepsSolveAll_Private(steps, mesh, guess ? guess : first, run, text));
-    PetscCall(VecDestroy(&guess));
+    PetscCall(StepsSolveAll_Private(steps, mesh, first, guess, run, text));
+    for (PetscInt i = 0; guess && i < steps->scene->steps.num; i++) PetscCall(VecDestroy(&guess[i]));
+    PetscCall(PetscFree(guess));
     all = (*run)->solved;
     if (all) PetscCall(AdaptiveRefineSteps(steps->adaptive, run, &guess));
     if (!guess) break;
@@ -438,7 +458,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
     PetscCall(StepsRepeat_Private(&steps, mesh, guess, run, &text));
   else
     PetscCall(scene->steps.halved ? StepsHalve_Private(&steps, mesh, guess, run, &text)
-                                  : StepsSolveAll_Private(&steps, mesh, guess, run, &text));
+                                  : StepsSolveAll_Private(&steps, mesh, guess, NULL, run, &text));
   WarningSetLabel("");
   PetscCall(StepsPrintEnd_Private(&steps, *run, text));
   free(text);

@@ -5,6 +5,9 @@ mortise_scene_test(tresca SCENE incline CHECK tresca.py RANKS 1 3 ARGS -floor_fr
 mortise_scene_test(tresca_held CHECK tresca_held.py RANKS 1 3)
 mortise_scene_test(greco CHECK greco.py RANKS 1 3 ARGS -dm_refine 2 -cross_check)
 mortise_scene_test(adaptive SCENE greco CHECK adaptive.py RANKS 1 3 ARGS -block_dm_plex_box_faces 8,8 -adapt 5e-4)
+mortise_scene_test(warm SCENE fretting CHECK warm.py RANKS 1 ARGS -load_steps 1,2,3 -adapt 3e-2)
+mortise_scene_test(warm_multigrid SCENE fretting CHECK warm.py RANKS 3 ARGS -load_steps 1,2,3 -adapt 3e-2 -pc_type truncatedmg)
+mortise_scene_test(warm_nested SCENE clamp CHECK warm.py RANKS 1 ARGS -load_steps 0.6 -dm_refine 2 -pc_type truncatedmg)
 mortise_scene_test(energy OWN_RUNS SCENE greco CHECK energy.py RANKS 1 3)
 # Halved steps.
 mortise_scene_test(halved SCENE greco CHECK halved.py RANKS 1 3 ARGS -load_steps 1 -load_steps_halved 1)
