@@ -2,9 +2,11 @@
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Numbers of steps: RHO_FIRST suffice if rho is tiny, RHO_FEW if it is small or settled; RHO_STEPS is the limit. */
-enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_STEPS = 24 };
-static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005;
+/* Numbers of steps: RHO_FIRST suffice if rho is tiny, RHO_FEW if it is small or settled; RHO_STEPS is the limit. It has
+   settled if RHO_CALM steps in a row, as eigenvalues come in pairs, change it by less than RHO_SETTLES of itself or
+   RHO_DISTANT of its distance from 1: rho tells whether it is below. */
+enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_CALM = 2, RHO_STEPS = 24 };
+static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
 
 /* Orthogonalizes v against older vectors, and scales it to 1. [out] h - coefficients, then the length of the
    rest [k + 1] */
@@ -47,6 +49,7 @@ PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, co
   PetscScalar    H[RHO_STEPS * RHO_STEPS] = {0};
   PetscReal     *basis[RHO_STEPS + 1], *values, h[RHO_STEPS + 1];
   PetscReal      before  = 0;
+  PetscInt       calm    = 0;
   PetscBool      settled = PETSC_FALSE;
 
   PetscFunctionBeginUser;
@@ -60,8 +63,10 @@ PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, co
     PetscCall(FrictionArnoldiOrthogonalize_Private(method, k + 1, basis, basis[k + 1], h));
     for (PetscInt i = 0; i < PetscMin(k + 2, RHO_STEPS); i++) H[RHO_STEPS * k + i] = h[i];
     PetscCall(FrictionArnoldiLargest_Private(k + 1, H, rho));
+    calm =
+        PetscAbsReal(*rho - before) < PetscMax(RHO_SETTLES * *rho, RHO_DISTANT * PetscAbsReal(1 - *rho)) ? calm + 1 : 0;
     settled = (PetscBool)((k + 1 >= RHO_FIRST && *rho < RHO_TINY) || (k + 1 >= RHO_FEW && *rho < RHO_SMALL) ||
-                          (k + 1 >= RHO_FEW && PetscAbsReal(*rho - before) < RHO_SETTLES * *rho));
+                          (k + 1 >= RHO_FEW && calm >= RHO_CALM));
     before  = *rho;
   }
   PetscCall(PetscFree(values));

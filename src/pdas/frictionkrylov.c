@@ -20,6 +20,9 @@ static const PetscReal DESCENT = 0.9;
 static const PetscReal LEVEL_RTOL = 1e-5;
 /* Accuracy of the systems for rho. */
 static const PetscReal RHO_RTOL = 1e-2;
+/* The first vector for rho is smooth: the limits. Parts of it follow the direction of slip and the number of the unknown,
+   so that it is in no invariant subspace, as of symmetric scenes. */
+static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
 
 typedef struct {
   FrictionLinear linear;
@@ -266,8 +269,9 @@ static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscR
   for (PetscInt a = 0; a < method->units.num; a++) {
     const FrictionUnit *unit = &method->units.unit[a];
 
-    if (unit->status == UNIT_SLIP && unit->closed && unit->coefficient > 0)
-      seed[a] = 1 + 0.5 * PetscSinReal((PetscReal)unit->normal); // in no invariant subspace
+    if (unit->status != UNIT_SLIP || !unit->closed) continue;
+    seed[a] = FrictionUnitLimit(unit, method->units.r[unit->normal]) *
+              (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal((PetscReal)unit->normal));
   }
   PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, seed, rho));
   PetscCall(PetscFree(seed));

@@ -172,7 +172,7 @@ PetscErrorCode FrictionLinearCreate(const ActiveSolver solver, const FrictionUni
   PetscCall(KSPGetOptionsPrefix(full->ksp, &prefix));
   PetscCall(KSPSetOptionsPrefix(linear->ksp, prefix));
   PetscCall(KSPSetFromOptions(linear->ksp)); // monitors and views; the types are set after it, since others do not fit
-  PetscCall(KSPSetType(linear->ksp, KSPGMRES));
+  PetscCall(KSPSetType(linear->ksp, KSPFGMRES)); // flexible GMRES keeps what cycles give: one cycle less
   PetscCall(KSPGMRESSetRestart(linear->ksp, GMRES_RESTART));
   PetscCall(KSPSetOperators(linear->ksp, linear->A, linear->A));
   PetscCall(KSPGetPC(linear->ksp, &pc));

@@ -11,7 +11,7 @@ typedef struct {
   PetscBool           *left;    /* those that the cycle omits [n] */
   PetscBool            added;   /* the cycle has the resistance to turning */
   PetscBool            coupled; /* whether limits follow the pressure; set by the caller */
-  KSP                  ksp;     /* GMRES; its matrix and preconditioner are shells */
+  KSP                  ksp;     /* flexible GMRES; its matrix and preconditioner are shells */
   Mat                  A;
   Vec                  work;
 } FrictionLinear;
