@@ -1,4 +1,6 @@
-/* exchange.c -- records to ranks by MPI_Alltoallv(): in one step, whatever their number. PetscSF wants to know first what is where. */
+/* exchange.c -- records by MPI_Alltoallv().
+
+   It takes one step for any number of records. PetscSF would need the position of each record on its rank first. */
 #include "mesh/exchange.h"
 #include "base/compat.h"
 #include <string.h>
@@ -33,45 +35,34 @@ PetscErrorCode ExchangeDestroy(Exchange *x)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Records as one datatype: counts are those of records, and fit an int longer. */
-static PetscErrorCode RecordType_Private(size_t bytes, MPI_Datatype *type)
+/* Sends own records to their ranks, or the answers back to them. */
+static PetscErrorCode ExchangeRun_Private(const Exchange *x, PetscBool back, size_t bytes, const void *from, void *to)
 {
+  MPI_Datatype type; // one record: counts of bytes might not fit into an int
+  char        *sorted;
+
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Type_contiguous((int)bytes, MPI_BYTE, type));
-  PetscCallMPI(MPI_Type_commit(type));
+  PetscCallMPI(MPI_Type_contiguous((int)bytes, MPI_BYTE, &type));
+  PetscCallMPI(MPI_Type_commit(&type));
+  PetscCall(PetscMalloc1((size_t)x->num_sent * bytes, &sorted));
+  for (PetscInt i = 0; i < x->num_sent && !back; i++)
+    memcpy(sorted + (size_t)x->place[i] * bytes, (const char *)from + (size_t)i * bytes, bytes);
+  PetscCallMPI(
+      back ? MPI_Alltoallv(from, x->received, x->received_begin, type, sorted, x->sent, x->sent_begin, type, x->comm)
+           : MPI_Alltoallv(sorted, x->sent, x->sent_begin, type, to, x->received, x->received_begin, type, x->comm));
+  for (PetscInt i = 0; i < x->num_sent && back; i++)
+    memcpy((char *)to + (size_t)i * bytes, sorted + (size_t)x->place[i] * bytes, bytes);
+  PetscCall(PetscFree(sorted));
+  PetscCallMPI(MPI_Type_free(&type));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode ExchangeSend(const Exchange *x, size_t bytes, const void *records, void *received)
 {
-  MPI_Datatype type;
-  char        *sorted;
-
-  PetscFunctionBeginUser;
-  PetscCall(RecordType_Private(bytes, &type));
-  PetscCall(PetscMalloc1((size_t)x->num_sent * bytes, &sorted));
-  for (PetscInt i = 0; i < x->num_sent; i++)
-    memcpy(sorted + (size_t)x->place[i] * bytes, (const char *)records + (size_t)i * bytes, bytes);
-  PetscCallMPI(
-      MPI_Alltoallv(sorted, x->sent, x->sent_begin, type, received, x->received, x->received_begin, type, x->comm));
-  PetscCall(PetscFree(sorted));
-  PetscCallMPI(MPI_Type_free(&type));
-  PetscFunctionReturn(PETSC_SUCCESS);
+  return ExchangeRun_Private(x, PETSC_FALSE, bytes, records, received);
 }
 
 PetscErrorCode ExchangeAnswer(const Exchange *x, size_t bytes, const void *answers, void *own)
 {
-  MPI_Datatype type;
-  char        *sorted;
-
-  PetscFunctionBeginUser;
-  PetscCall(RecordType_Private(bytes, &type));
-  PetscCall(PetscMalloc1((size_t)x->num_sent * bytes, &sorted));
-  PetscCallMPI(
-      MPI_Alltoallv(answers, x->received, x->received_begin, type, sorted, x->sent, x->sent_begin, type, x->comm));
-  for (PetscInt i = 0; i < x->num_sent; i++)
-    memcpy((char *)own + (size_t)i * bytes, sorted + (size_t)x->place[i] * bytes, bytes);
-  PetscCall(PetscFree(sorted));
-  PetscCallMPI(MPI_Type_free(&type));
-  PetscFunctionReturn(PETSC_SUCCESS);
+  return ExchangeRun_Private(x, PETSC_TRUE, bytes, answers, own);
 }
