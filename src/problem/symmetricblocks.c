@@ -1,14 +1,14 @@
 /* symmetricblocks.c -- see the header.
 
-   Iterations read a matrix from memory again and again. Half of it, without a column for every entry, is read in half the time. Each block
-   is used twice on the way through it: for its row, and transposed for the row of its column (eq. 13.2). */
+   The time of a product is that of reading the matrix from memory. Half of the blocks, with one column for each block, take half
+   of the time. A product uses each block twice: for its row, and transposed for the row of its column (eq. 13.2). */
 #include "problem/symmetricblocks.h"
 #include "base/compat.h"
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #endif
 
-/* Numbers after the last block: registers are loaded with four numbers, of which a row of three uses the first. */
+/* Numbers after the last block: a register is loaded with four numbers, of which a row of a block uses three. */
 enum { PADDING = 1 };
 
 PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[], PetscInt column[],
@@ -48,14 +48,14 @@ PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscI
   const PetscInt *column = &blocks->column[blocks->diagonal[i]];
   PetscInt        lower = 0, size = blocks->start[i + 1] - blocks->diagonal[i];
 
-  while (size > 1) { // without branches to guess
+  while (size > 1) { // without branches, which processors would predict badly
     lower += column[lower + size / 2] <= j ? size / 2 : 0;
     size -= size / 2;
   }
   return &blocks->value[(size_t)(blocks->first[i] + lower) * blocks->bs * blocks->bs];
 }
 
-/* Blocks left of the diagonal lie in other rows, so they are asked for some blocks before they are read. */
+/* Blocks left of the diagonal are stored in other rows. They are prefetched so many blocks before they are read. */
 enum { AHEAD = 8 };
 
 void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt width, PetscScalar rows[])
@@ -84,7 +84,7 @@ void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt w
   }
 }
 
-/* To be inlined where bs is known, so that its loops are unrolled. */
+/* Inlined where bs is a constant: then its loops are unrolled. */
 static inline void SymmetricBlocksAddProduct_Private(const PetscInt bs, const SymmetricBlocks *blocks, PetscReal factor,
                                                      const PetscScalar *restrict x, PetscScalar *restrict y)
 {
@@ -115,8 +115,8 @@ static inline void SymmetricBlocksAddProduct_Private(const PetscInt bs, const Sy
 }
 
 #if defined(__x86_64__) && defined(__GNUC__)
-/* The same for blocks of space on processors with AVX2, which the compiler does not assume: a row of a block is one register. Blocks in the
-   cache take 0.6 of the time, blocks from memory 0.9; those of the plane would gain little. */
+/* The same for blocks of space on processors with AVX2: a register has a row of a block. Blocks in the cache take 0.6 of the
+   time, blocks in memory 0.9. Blocks of the plane would gain little. */
 __attribute__((target("avx2,fma"))) static void SymmetricBlocksAddProduct_AVX2(const SymmetricBlocks *blocks,
                                                                                PetscReal              factor,
                                                                                const PetscScalar *restrict x,
@@ -165,13 +165,22 @@ static PetscBool SymmetricBlocksHasAVX2_Private(void)
 #define SymmetricBlocksHasAVX2_Private()    PETSC_FALSE
 #endif
 
-void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[])
+void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[],
+                                 PetscScalar y[])
 {
   for (PetscInt i = 0; i < blocks->bs * blocks->num; i++) y[i] = 0;
   if (blocks->bs == 2)
     SymmetricBlocksAddProduct_Private(2, blocks, factor, x, y);
-  else if (SymmetricBlocksHasAVX2_Private())
-    SymmetricBlocksAddProduct_AVX2(blocks, factor, x, y);
   else
     SymmetricBlocksAddProduct_Private(3, blocks, factor, x, y);
+}
+
+void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[])
+{
+  if (blocks->bs == 2 || !SymmetricBlocksHasAVX2_Private()) {
+    SymmetricBlocksMultPortably(blocks, factor, x, y);
+    return;
+  }
+  for (PetscInt i = 0; i < blocks->bs * blocks->num; i++) y[i] = 0;
+  SymmetricBlocksAddProduct_AVX2(blocks, factor, x, y);
 }

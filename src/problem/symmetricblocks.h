@@ -7,22 +7,29 @@
 enum { SYMMETRIC_BLOCKS_MAX = 3 }; /* size of a block, at least 2 */
 
 typedef struct {
-  PetscInt     bs, num;
+  PetscInt     bs, num;        /* size of a block, number of rows of blocks */
   PetscInt    *start, *column; /* blocks of every row, stored or not, ascending [num+1], [start[num]] */
-  PetscInt    *diagonal;       /* which of them is on the diagonal [num] */
-  PetscInt    *first;          /* its place in value; the rest of the row follows [num+1] */
+  PetscInt    *diagonal;       /* index into column of the diagonal block [num] */
+  PetscInt    *first;          /* index into value of the diagonal block; the blocks right of it follow [num+1] */
   PetscScalar *value;          /* [first[num]][bs][bs] */
 } SymmetricBlocks;
 
-/* Zeros. Not collective. [in] start, column - each row has its own block and those whose rows have one in this column, ascending; taken over */
+/* Creates a matrix of zeros. Not collective.
+   [in] start, column - blocks of every row, on both sides of the diagonal, ascending; owned by blocks from now on
+   [out] blocks - owned by the caller, SymmetricBlocksDestroy() */
 PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[], PetscInt column[],
                                      SymmetricBlocks *blocks);
+/* Not collective. */
 PetscErrorCode SymmetricBlocksDestroy(SymmetricBlocks *blocks);
-/* The stored block of row i and column j >= i, [bs][bs]. Both must couple. */
+/* The stored block of row i and column j >= i, which must be in the pattern. Not collective. Borrowed [bs][bs] */
 PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscInt j);
-/* Writes row i out, both triangles. [out] rows - [bs][width] from the first column on that is asked for; [in] width - of a row */
+/* Copies row i with all of its blocks. Not collective. [in] width - distance of two rows of numbers in rows;
+   [out] rows - [bs][width] */
 void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt width, PetscScalar rows[]);
-/* y = factor V x for these blocks V. */
+/* y = factor V x for these blocks V. Not collective. [in] x, [out] y - [num][bs] */
 void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[]);
+/* The same without instructions that the processor may lack: for the unit test. */
+void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[],
+                                 PetscScalar y[]);
 
 #endif

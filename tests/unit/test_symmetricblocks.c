@@ -1,0 +1,97 @@
+/* test_symmetricblocks.c -- products with a random symmetric matrix in blocks against the sum of its entries. */
+#include "base/compat.h"
+#include "problem/symmetricblocks.h"
+#include <test.h>
+
+#include "uniform.h"
+
+enum { NUM = 9, SIZE = NUM * SYMMETRIC_BLOCKS_MAX };
+
+static const PetscReal ROUNDING = 1e-14; /* sums of at most 27 products below 1 */
+
+/* A pattern with every second pair of different rows, and the diagonal. */
+static PetscBool Couples(PetscInt i, PetscInt j)
+{
+  return (PetscBool)(i == j || (i + j) % 2);
+}
+
+/* Fills the stored blocks, and the whole matrix. [out] dense - [NUM * bs][NUM * bs] */
+static PetscErrorCode CreateRandom(PetscInt bs, SymmetricBlocks *blocks, PetscScalar dense[SIZE][SIZE])
+{
+  PetscInt *start, *column;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(NUM + 1, &start));
+  PetscCall(PetscMalloc1(NUM * NUM, &column));
+  start[0] = 0;
+  for (PetscInt i = 0; i < NUM; i++) {
+    start[i + 1] = start[i];
+    for (PetscInt j = 0; j < NUM; j++)
+      if (Couples(i, j)) column[start[i + 1]++] = j;
+  }
+  PetscCall(SymmetricBlocksCreate(bs, NUM, start, column, blocks));
+  for (PetscInt i = 0; i < NUM * bs; i++)
+    for (PetscInt j = i; j < NUM * bs; j++) dense[i][j] = dense[j][i] = Couples(i / bs, j / bs) ? Uniform(-1, 1) : 0;
+  for (PetscInt i = 0; i < NUM; i++) {
+    for (PetscInt j = i; j < NUM; j++) {
+      for (PetscInt k = 0; k < bs * bs && Couples(i, j); k++)
+        SymmetricBlocksAt(blocks, i, j)[k] = dense[bs * i + k / bs][bs * j + k % bs];
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Both products: with the instructions of this processor, and without. */
+static PetscErrorCode TestMult(PetscInt bs)
+{
+  const PetscReal factor = 0.75;
+  SymmetricBlocks blocks;
+  PetscScalar     dense[SIZE][SIZE], x[SIZE], y[2][SIZE];
+
+  PetscFunctionBeginUser;
+  PetscCall(CreateRandom(bs, &blocks, dense));
+  for (PetscInt i = 0; i < NUM * bs; i++) x[i] = Uniform(-1, 1);
+  SymmetricBlocksMult(&blocks, factor, x, y[0]);
+  SymmetricBlocksMultPortably(&blocks, factor, x, y[1]);
+  for (PetscInt i = 0; i < NUM * bs; i++) {
+    PetscScalar sum = 0;
+
+    for (PetscInt j = 0; j < NUM * bs; j++) sum += factor * dense[i][j] * x[j];
+    for (int way = 0; way < 2; way++) CHECK_NEAR(PetscRealPart(y[way][i]), PetscRealPart(sum), ROUNDING);
+  }
+  PetscCall(SymmetricBlocksDestroy(&blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A row is copied with the blocks on both sides of the diagonal. */
+static PetscErrorCode TestGetRow(PetscInt bs)
+{
+  SymmetricBlocks blocks;
+  PetscScalar     dense[SIZE][SIZE], rows[SYMMETRIC_BLOCKS_MAX * SIZE];
+
+  PetscFunctionBeginUser;
+  PetscCall(CreateRandom(bs, &blocks, dense));
+  for (PetscInt i = 0; i < NUM; i++) {
+    const PetscInt first = blocks.start[i], num = blocks.start[i + 1] - first;
+
+    SymmetricBlocksGetRow(&blocks, i, SIZE, rows);
+    for (PetscInt k = 0; k < bs; k++)
+      for (PetscInt at = 0; at < num * bs; at++)
+        CHECK_NEAR(PetscRealPart(rows[k * SIZE + at]),
+                   PetscRealPart(dense[bs * i + k][bs * blocks.column[first + at / bs] + at % bs]), 0);
+  }
+  PetscCall(SymmetricBlocksDestroy(&blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+int main(int argc, char **argv)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  for (PetscInt bs = 2; bs <= SYMMETRIC_BLOCKS_MAX; bs++) {
+    PetscCall(TestMult(bs));
+    PetscCall(TestGetRow(bs));
+  }
+  PetscCall(PetscFinalize());
+  return 0;
+}
