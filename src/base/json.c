@@ -1,4 +1,5 @@
 /* json.c -- see the header. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/json.h"
@@ -29,6 +30,16 @@ void JSONAddInt(cJSON *object, const char name[], PetscInt value)
 
   snprintf(text, sizeof(text), "%" PetscInt_FMT, value);
   cJSON_AddItemToObject(object, name, cJSON_CreateRaw(text));
+}
+
+PetscReal JSONReadReal(const cJSON *item)
+{
+  return cJSON_IsRaw(item) ? (PetscReal)strtod(item->valuestring, NULL) : (PetscReal)NAN;
+}
+
+PetscReal JSONGetReal(const cJSON *object, const char key[])
+{
+  return JSONReadReal(cJSON_GetObjectItemCaseSensitive(object, key));
 }
 
 void JSONAddReals(cJSON *object, const char name[], PetscInt n, const PetscReal values[])

@@ -5,7 +5,6 @@
 #include "result/calibration.h"
 #include "result/estimate.h"
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { PART_TEXT = 48 };
@@ -52,14 +51,6 @@ PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A number that is kept as text. */
-static PetscReal ErrorReportRead_Private(const cJSON *object, const char key[])
-{
-  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-
-  return cJSON_IsRaw(item) ? (PetscReal)strtod(item->valuestring, NULL) : (PetscReal)NAN;
-}
-
 PetscErrorCode ErrorReportPrint(const SummaryInput *in)
 {
   const MPI_Comm comm = in->scene->comm;
@@ -70,7 +61,7 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
 
   PetscFunctionBeginUser;
   if (in->estimate) {
-    relative = ErrorReportRead_Private(in->estimate, "energy_norm_relative");
+    relative = JSONGetReal(in->estimate, "energy_norm_relative");
     meshes   = cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(in->estimate, "meshes"));
     ErrorReportPart_Private(relative, part, sizeof(part));
     PetscCall(PetscPrintf(comm, "  estimated error: %s in the energy norm, %d mesh%s\n", part, meshes,
@@ -89,7 +80,7 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
 void ErrorReportPairBar(const SummaryInput *in, const char pair[], const char key[], char text[], size_t len)
 {
   const cJSON    *pairs = cJSON_GetObjectItemCaseSensitive(in->bars, "pairs");
-  const PetscReal bar   = ErrorReportRead_Private(cJSON_GetObjectItemCaseSensitive(pairs, pair), key);
+  const PetscReal bar   = JSONGetReal(cJSON_GetObjectItemCaseSensitive(pairs, pair), key);
 
   const cJSON *item, *unbounded = cJSON_GetObjectItemCaseSensitive(in->bars, "unbounded");
 

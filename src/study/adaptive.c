@@ -14,13 +14,14 @@
 enum {
   TEXT_LENGTH  = 320,
   TIME_TEXT    = 40,
-  FIRST_MESHES = 3, /* as many as a bar needs at least, unless there is nothing to refine */
-  KEPT_RUNS    = 4  /* meshes that a load step is solved on beside the latest one: bars are made of five */
+  FIRST_MESHES = 3, /* least number that a bar needs, unless there is nothing to refine */
+  KEPT_RUNS    = 4  /* meshes of a load step beside the latest one: bars compare five */
 };
 
-static const PetscReal STALLED      = 0.9; /* of the error, while unknowns double */
-static const PetscReal KEEP_SECONDS = 5;   /* of work that an interruption may lose, and the mesh that is solved then */
-static const PetscReal PERCENT      = 100;
+static const PetscReal STALLED = 0.9; /* smallest ratio of errors, with twice the unknowns, that is no progress */
+static const PetscReal KEEP_SECONDS =
+    5; /* between files: of work that an interruption loses, besides the present mesh */
+static const PetscReal PERCENT = 100;
 
 /* A run on an earlier mesh. */
 typedef struct {
@@ -39,8 +40,8 @@ struct _n_Adaptive {
   OlderRun     older[KEPT_RUNS]; /* with load steps, coarse first */
   CostPoint    cost[2];          /* of the latest two meshes, the latest first */
   PetscBool    quiet;
-  PetscReal    end;        /* of the last step of the envelope, or of the work before */
-  PetscReal    kept;       /* when files were written last */
+  PetscReal    end;        /* time at which the last step of the envelope ended, or all work before */
+  PetscReal    kept;       /* time at which files were written last */
   PetscReal   *indicators; /* of goals on the latest mesh, GoalsSolve() */
   PetscBool    dual;       /* whether their dual problems are solved */
 };
@@ -50,7 +51,7 @@ static const SolvedMesh *AdaptiveGetLast_Private(const struct _n_Adaptive *adapt
   return &adaptive->history->mesh[adaptive->history->num - 1];
 }
 
-/* Whether the energy norm is known as well as is asked for. */
+/* Whether the error in the energy norm is as small as asked for. */
 static PetscBool AdaptiveEnergyIsMet_Private(const struct _n_Adaptive *adaptive)
 {
   const PetscReal tolerance = adaptive->scene->adapt.tolerance;
@@ -58,14 +59,14 @@ static PetscBool AdaptiveEnergyIsMet_Private(const struct _n_Adaptive *adaptive)
   return (PetscBool)(tolerance == 0 || SolvedMeshGetError(AdaptiveGetLast_Private(adaptive)) <= tolerance);
 }
 
-/* Whether all is known as well as is asked for. */
+/* Whether all errors are as small as asked for. */
 static PetscBool AdaptiveIsMet_Private(const struct _n_Adaptive *adaptive)
 {
   return (PetscBool)(AdaptiveEnergyIsMet_Private(adaptive) &&
                      GoalsAreMet(adaptive->scene, AdaptiveGetLast_Private(adaptive)->goals));
 }
 
-/* The order in unknowns in which errors fall: p / dim for the lowest order of the bodies. */
+/* The order of convergence in the number of unknowns: p / dim for the lowest order of the bodies. */
 static PetscReal AdaptiveGetRate_Private(const Scene scene)
 {
   PetscInt order = scene->bodies[0].order;
@@ -74,7 +75,7 @@ static PetscReal AdaptiveGetRate_Private(const Scene scene)
   return (PetscReal)order / scene->dim;
 }
 
-/* Unknowns of a mesh with the errors that are asked for, as they fall: bars of goals like the square of the energy norm. */
+/* Expected unknowns of a mesh with the errors asked for. Bars of goals fall like the square of the error in the energy norm. */
 static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
@@ -90,7 +91,7 @@ static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
   return mesh->unknowns * PetscPowReal(ratio, 1 / AdaptiveGetRate_Private(adaptive->scene));
 }
 
-/* Unknowns of the next mesh, as they grew the last time. */
+/* Unknowns of the next mesh, if they grow as they did last. */
 static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
@@ -98,7 +99,7 @@ static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
   return adaptive->history->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
 }
 
-/* The head of the table, behind a line for bodies whose cells were cut. Collective. */
+/* Prints a line for each body whose cells were cut, and the head of the table. Collective. */
 static PetscErrorCode AdaptivePrintHead_Private(const struct _n_Adaptive *adaptive, Mesh mesh)
 {
   const Scene scene = adaptive->scene;
@@ -119,7 +120,7 @@ static PetscErrorCode AdaptivePrintHead_Private(const struct _n_Adaptive *adapti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The line of the latest mesh. */
+/* Prints the line of the latest mesh. */
 static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
 {
   const Envelope   *envelope = &adaptive->envelope;
@@ -146,7 +147,8 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the estimates have hardly fallen since there were half as many unknowns; the calibration of coarse meshes may leap. */
+/* Whether estimates have hardly fallen since there were half as many unknowns. They are not calibrated here: calibrations of
+   coarse meshes may jump. */
 static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
@@ -154,7 +156,7 @@ static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 
   while (k > 0 && 2 * adaptive->history->mesh[k].unknowns > mesh->unknowns) k--;
   before = &adaptive->history->mesh[k];
-  if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // contact is not found yet, or hardly
+  if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // the mesh hardly resolves the contact
   if (2 * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
   for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
     if (mesh->goals[g].product <= STALLED * before->goals[g].product) return PETSC_FALSE;
@@ -207,7 +209,7 @@ static PetscBool AdaptiveIsOver_Private(const struct _n_Adaptive *adaptive, char
   return PETSC_TRUE;
 }
 
-/* Says why the error that is asked for is not reached. [in] why - "" where it is */
+/* Writes the reason why errors are larger than asked for to the report. [in] why - "" where they are not */
 static PetscErrorCode AdaptiveSetVerdict_Private(const struct _n_Adaptive *adaptive, Run run, const char why[])
 {
   const Scene       scene           = adaptive->scene;
@@ -244,7 +246,7 @@ static PetscErrorCode AdaptiveSetVerdict_Private(const struct _n_Adaptive *adapt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is said if a signal comes now. [in] kept - whether files hold the latest mesh */
+/* Sets the sentence of an interruption. [in] kept - whether files have the latest mesh */
 static void AdaptiveSetInterruptSentence_Private(const struct _n_Adaptive *adaptive, PetscBool kept)
 {
   const Scene scene = adaptive->scene;
@@ -280,7 +282,7 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
   PetscCall(OutputAddFields(output, run->fields));
   PetscCall(SummaryCreate(&input, &text));
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
-  PetscCall(OutputAddText(output, path, text)); // the last: where it is, the result is complete
+  PetscCall(OutputAddText(output, path, text)); // the last file: if it is there, the result is complete
   free(text);
   InterruptHold();
   PetscCall(OutputFinish(&output));
@@ -293,7 +295,7 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The next mesh, and what was found on this one there. Collective. [out] guess - owned by the caller */
+/* Makes the next mesh, and interpolates the displacement to it. Collective. [out] guess - owned by the caller */
 static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
@@ -317,7 +319,7 @@ static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the program has taken so far, where that is limited. Collective. */
+/* Measures the peak of memory so far, if that is limited. Collective. */
 static PetscErrorCode AdaptiveMeasureMemory_Private(Adaptive adaptive)
 {
   CostPoint latest = {.unknowns = AdaptiveGetLast_Private(adaptive)->unknowns};
@@ -331,7 +333,7 @@ static PetscErrorCode AdaptiveMeasureMemory_Private(Adaptive adaptive)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Remembers what a run tells of its mesh. Collective. [in] begin - of the work on that mesh */
+/* Adds a run to the history. Collective. [in] begin - time at which the work on its mesh began */
 static PetscErrorCode AdaptiveAdd_Private(Adaptive adaptive, Run run, PetscReal begin)
 {
   SolvedMesh *mesh;
@@ -344,12 +346,12 @@ static PetscErrorCode AdaptiveAdd_Private(Adaptive adaptive, Run run, PetscReal 
   PetscCall(PetscFree(adaptive->indicators));
   PetscCall(PetscMalloc1(adaptive->scene->adapt.num_goals, &mesh->goals));
   PetscCall(GoalsSolve(run, mesh->goals, &adaptive->indicators, &adaptive->dual));
-  PetscCall(MeshHistoryDescribe(adaptive->history, run)); // the bars of goals decide
+  PetscCall(MeshHistoryDescribe(adaptive->history, run)); // bars of goals decide about the next mesh
   mesh->seconds = LogWallClock() - begin;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The scene's new time on the meshes that are there. Collective. [in,out] run - of the latest mesh */
+/* Solves at the scene's new time on the kept meshes. Collective. [in,out] run - of the latest mesh */
 static PetscErrorCode AdaptiveAdvance_Private(Adaptive adaptive, Vec guess, Run *run)
 {
   const Scene    scene   = adaptive->scene;
@@ -364,14 +366,14 @@ static PetscErrorCode AdaptiveAdvance_Private(Adaptive adaptive, Vec guess, Run 
     OlderRun       *older = &adaptive->older[i];
 
     scene->changed   = changed;
-    mesh->num_levels = older->num_levels; // what is made anew is made on the run's own mesh
+    mesh->num_levels = older->num_levels; // the run's own mesh is the finest
     PetscCall(RunAdvance(NULL, &older->run));
     mesh->num_levels = all;
     if (older->run->solved) {
       PetscCall(AdaptiveAdd_Private(adaptive, older->run, begin));
       adaptive->older[kept++] = *older;
     } else {
-      PetscCall(RunDestroy(&older->run)); // the latest mesh decides
+      PetscCall(RunDestroy(&older->run)); // not an error: the latest mesh decides
     }
   }
   adaptive->num_older = kept;
@@ -381,8 +383,8 @@ static PetscErrorCode AdaptiveAdvance_Private(Adaptive adaptive, Vec guess, Run 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A run on the mesh that was made of the one before, whose run load steps keep. Collective. [in] tighten - whether pretensions are applied
-   at this time */
+/* Solves on a new mesh; with load steps the run of the mesh before is kept. Collective. [in] tighten - whether pretensions
+   are applied at this time */
 static PetscErrorCode AdaptiveExtend_Private(Adaptive adaptive, Vec guess, PetscBool tighten, Run *run)
 {
   PetscFunctionBeginUser;
@@ -442,7 +444,7 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
   PetscCall(*run ? AdaptiveAdvance_Private(adaptive, guess, run)
                  : RunCreate(adaptive->scene, adaptive->mesh, guess, run));
   while (PETSC_TRUE) {
-    adaptive->scene->view = PETSC_FALSE; // of the first mesh only
+    adaptive->scene->view = PETSC_FALSE; // of the first mesh alone
     PetscCall(VecDestroy(&own));
     if (!(*run)->solved) break;
     PetscCall(AdaptiveAdd_Private(adaptive, *run, begin));

@@ -1,25 +1,23 @@
-/* bars.c -- one walk through the numbers of the summary. */
+/* bars.c -- error bars of the numbers of the summary. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "study/bars.h"
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum {
-  MAX_ITEMS   = 8, /* numbers of an array at most */
-  BAR_MESHES  = 4, /* differences that a bar is made of: agreement by chance does not last so long */
+  MAX_ITEMS   = 8, /* largest number of items of an array */
+  BAR_MESHES  = 4, /* differences of a bar: so many hardly agree by chance */
   PEAK_MESHES = 3  /* increments of a largest pressure that are compared */
 };
 
-static const PetscReal BAR_MARGIN  = 1.25; /* on differences */
-static const PetscReal LEAST_GAIN  = 0.95; /* largest ratio of estimates: meshes that hardly differ say little */
-static const PetscReal FALLEN      = 0.25; /* of the first estimate: fewer meshes are enough then */
-static const PetscReal SETTLES     = 0.5;  /* of each increment to the next: they tell a rate */
-static const PetscReal GROWN       = 0.1;  /* of a stress, over as many meshes: it is far from a limit, if it has one */
-static const PetscReal STILL_GROWS = 0.8;  /* increments of a bounded pressure shrink faster than that */
+static const PetscReal BAR_MARGIN = 1.25; /* factor of differences */
+static const PetscReal LEAST_GAIN = 0.95; /* largest ratio of estimates: nearly equal meshes tell little */
+static const PetscReal FALLEN     = 0.25; /* of the first estimate: below, fewer meshes are enough */
+static const PetscReal SETTLES    = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
+static const PetscReal GROWN = 0.1; /* part of a stress that it has grown by over BAR_MESHES: it is far from a limit */
+static const PetscReal STILL_GROWS = 0.8; /* least ratio of an increment to the one before that shows no limit */
 
-/* What the floor of a number is. */
+/* The floor of a number: its least bar. */
 typedef enum {
   FLOOR_WHOLE,  /* relative, of the whole solution */
   FLOOR_BODY,   /* relative, of a body */
@@ -28,7 +26,7 @@ typedef enum {
   FLOOR_MEAN,
   FLOOR_EDGE,
   FLOOR_AREA,
-  FLOOR_PLACE /* relative, of the whole solution, of the extent of contact: wherever the origin is */
+  FLOOR_PLACE /* relative, of the whole solution, times the extent of contact: a position depends on the origin */
 } FloorKind;
 
 static const struct {
@@ -47,14 +45,7 @@ typedef struct {
   const char *section, *owner, *key, *end; /* end: of an extent, else NULL */
 } BarPath;
 
-/* Numbers are kept as text, with all their digits; NAN where there is none. */
-static PetscReal BarsReadNumber_Private(const cJSON *item)
-{
-  if (cJSON_IsRaw(item)) return (PetscReal)strtod(item->valuestring, NULL);
-  return cJSON_IsNumber(item) ? (PetscReal)item->valuedouble : (PetscReal)NAN;
-}
-
-/* Returns how many numbers there are, 0 where the path leads nowhere. [out] values - [MAX_ITEMS]; [out] list - whether it is an array */
+/* Returns the number of values, 0 where nothing has the path. [out] values - [MAX_ITEMS]; [out] list - whether it is an array */
 static PetscInt BarsRead_Private(const cJSON *row, const BarPath *path, PetscReal values[], PetscBool *list)
 {
   const cJSON *item = cJSON_GetObjectItemCaseSensitive(row, path->section), *each;
@@ -66,17 +57,17 @@ static PetscInt BarsRead_Private(const cJSON *row, const BarPath *path, PetscRea
   *list = (PetscBool)cJSON_IsArray(item);
   if (!item) return 0;
   if (!*list) {
-    values[0] = BarsReadNumber_Private(item);
+    values[0] = JSONReadReal(item);
     return 1;
   }
   cJSON_ArrayForEach(each, item)
   {
-    if (num < MAX_ITEMS) values[num++] = BarsReadNumber_Private(each);
+    if (num < MAX_ITEMS) values[num++] = JSONReadReal(each);
   }
   return num;
 }
 
-/* Whether a sequence goes one way, by increments that become half as large each time. */
+/* Whether a sequence is monotone, and each increment at most half as large as the one before. */
 static PetscBool BarsSettle_Private(PetscInt num, const PetscReal Q[])
 {
   for (PetscInt j = 2; j < num; j++) {
@@ -87,8 +78,8 @@ static PetscBool BarsSettle_Private(PetscInt num, const PetscReal Q[])
   return (PetscBool)(num > 2);
 }
 
-/* The part of a bar that the meshes tell. Few of them do not tell a rate: then it is their spread, times what they lack of enough.
-   [in] Q - of all meshes, NAN where one has none [num] */
+/* The bar from differences of meshes. Few meshes do not show a rate: then it is the largest difference, times BAR_MESHES over
+   the number of differences. [in] Q - of all meshes, NAN for none [num] */
 static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscReal Q[])
 {
   const PetscInt  last = history->num - 1;
@@ -122,8 +113,8 @@ static PetscBool BarsGrows_Private(PetscInt num, const PetscReal Q[])
   return PETSC_TRUE;
 }
 
-/* Whether the size of a stress has grown by as much over the last meshes as over those before, and that is a part of it: as at a corner,
-   where it has no limit. Cells around a probe are not bisected on every mesh, so that single increments tell less. */
+/* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as over the two before,
+   and visibly. Cells around a probe are not bisected for each mesh, so single increments tell less. */
 static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
 {
   const PetscReal last   = num > BAR_MESHES ? PetscAbsReal(Q[num - 1]) : 0;
@@ -133,7 +124,8 @@ static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
   return (PetscBool)(last - first > GROWN * last && last - middle > STILL_GROWS * (middle - first) && middle > first);
 }
 
-/* The least that numbers are off by. [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector */
+/* The floor of a number. [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector; [in] area -
+   of contact, for mean pressures */
 static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscReal size,
                                       PetscReal area)
 {
@@ -150,7 +142,7 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   }
 }
 
-/* The size of a number, or of its vector; of a place that of the pair's contact. [in] values - of the path [num] */
+/* The size of a number, or of its vector; for a position, of the extent of contact. [in] values - of the path [num] */
 static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
                                      const PetscReal values[])
 {
@@ -164,7 +156,8 @@ static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, Floo
   return PetscSqrtReal(sum);
 }
 
-/* Adds the bars of one key. [in] owner - of BarsGetFloor_Private(); [out] grows - whether it does so without limit, or NULL */
+/* Adds the bars of one key. [in] owner - of BarsGetFloor_Private(); [out] grows - whether the number grows without limit;
+   optional, may be NULL */
 static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *path, FloorKind kind, PetscInt owner,
                                       const char name[], cJSON *to, PetscBool *grows)
 {
@@ -203,7 +196,8 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The potential lies above its limit by (E^2 + L) / 2, to a third of E^2; while E is calibrated on few meshes these tell more. */
+/* Adds bars of energies. The potential is above its limit by (E^2 + L) / 2, with an error of a third of E^2. While few meshes
+   calibrate E, differences of meshes may be larger. */
 static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *bars)
 {
   cJSON          *energy = cJSON_AddObjectToObject(bars, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");

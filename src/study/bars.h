@@ -8,10 +8,10 @@
 /* One mesh. */
 typedef struct {
   const cJSON *row; /* of SummaryCreateStep() */
-  PetscReal    eta; /* its error estimate, as it was computed */
+  PetscReal    eta; /* its error estimate, not calibrated */
 } BarMesh;
 
-/* All meshes so far, coarse first, and what the finest one says of itself. */
+/* All meshes so far, coarse first, and estimates of the finest one. */
 typedef struct {
   PetscInt         num;
   const BarMesh   *mesh; /* [num] */
@@ -21,11 +21,12 @@ typedef struct {
   PetscReal        excess; /* its 2 (J_h - J), estimated */
 } BarHistory;
 
-/* The half widths of the intervals around the finest mesh's numbers (eq. 15.5), with r_j = min(eta_k / eta_j, .95):
-       b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor),
-   with the largest difference in place of the first part where there are fewer meshes and eta_k is above a quarter of the first one's.
-   Not collective. [out] bars - an object with the keys of the summary: energy, pairs, reactions, probes; null where a number grows
-   without limit, whose pairs are listed in "unbounded". Owned by the caller */
+/* Error bars: half widths of intervals around the numbers of the finest mesh (eq. 15.5), with r_j = min(eta_k / eta_j, .95):
+       b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor).
+   With fewer than five meshes, their largest difference times 4 over the number of earlier meshes takes the place of the
+   first term; not if eta_k is below a quarter of the first estimate and increments halve. Not collective.
+   [out] bars - an object with the keys of the summary: energy, pairs, reactions, probes; null for a number that grows
+   without limit. "unbounded" lists the pairs of such pressures. Owned by the caller */
 PetscErrorCode BarsCreate(const BarHistory *history, cJSON **bars);
 
 #endif

@@ -1,19 +1,19 @@
-/* costforecast.c -- predicted time and memory of the next run.
+/* costforecast.c -- predicted memory of the next run.
 
-   Memory = what a program takes anyway + B N^q. The first part is in the latest run of the order; B comes from the latest two,
-   where they tell it: in small runs it drowns in the rest. */
-#include <math.h>
+   Memory = A + B N^q, with N unknowns. A is that of any run. B comes from the latest two runs of the order, unless these are
+   too small to show it. */
 #include "study/costforecast.h"
 #include "study/studyimpl.h"
 
-/* q, in the plane and in space. Factors of a plane matrix grow like N log N, which is this power over the sizes that occur;
-   in space they would grow faster, but from 20000 unknowns on multigrid replaces them. */
+/* q, in the plane and in space. Factors of a plane matrix grow like N log N, which is this power for the sizes of studies. In
+   space they would grow faster, but multigrid replaces large factorizations. */
 static const PetscReal GROWTH[] = {1.15, 1};
-/* B in bytes, by order 1 and 2. In the plane: measured with MUMPS on quadrilaterals, 2000 to 800000 unknowns. In space: between
-   what factors take of hexahedra, up to 12000 and 15000 with 30000 unknowns, and multigrid, 2400 (order 1, 40000 to 300000). */
+/* B in bytes, by order 1 and 2. In the plane: measured with MUMPS on quadrilaterals, 2000 to 800000 unknowns. In space, a value
+   between those of factors of hexahedra, up to 12000 and 15000 with 30000 unknowns, and of multigrid, 2400 (order 1, 40000 to
+   300000 unknowns). */
 static const PetscReal BYTES[][2] = {{550, 700}, {6000, 12000}};
 static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
-/* A measured B within this factor is believed. */
+/* A measured B is used up to this factor from the one above. */
 static const PetscReal FACTOR = 3;
 
 void CostForecastPrintBytes(PetscReal bytes, char text[])
@@ -30,7 +30,7 @@ static PetscReal CostForecastGrowth_Private(PetscInt dim, PetscReal unknowns)
   return PetscPowReal(unknowns, GROWTH[dim - 2]);
 }
 
-/* B: as measured, where that can be believed. */
+/* B: as measured, within FACTOR of the standard one. */
 static PetscReal CostForecastGetBytes_Private(const Scene scene, const CostPoint *last, const CostPoint *before)
 {
   const PetscInt dim     = scene->dim;
@@ -66,7 +66,7 @@ PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns)
   return CostForecastNext(study->scene, &points[0], before ? &points[1] : NULL, unknowns);
 }
 
-/* Refinement makes 2^dim cells of one, and nodes of less than 2^dim times as many; marked cells alone make less than twice of all. */
+/* Uniform refinement multiplies nodes by less than 2^dim, refinement of marked cells by less than two. */
 PetscInt CostForecastUnknowns(Study study, const Record *record)
 {
   if (study->scene->study.kind == STUDY_ADAPTIVE) return 2 * record->unknowns;

@@ -1,4 +1,4 @@
-/* costforecast.h -- memory of meshes that are not there yet. */
+/* costforecast.h -- memory of the next mesh. */
 #ifndef MORTISE_COSTFORECAST_H
 #define MORTISE_COSTFORECAST_H
 
@@ -10,11 +10,11 @@ typedef struct {
   PetscReal bytes; /* peak of all ranks */
 } CostPoint;
 
-/* Bytes that a mesh with more unknowns will need, from the latest two. Not collective. [in] before - or NULL */
+/* Expected bytes of a mesh with more unknowns, from the latest two meshes. Not collective. [in] before - optional, may be NULL */
 PetscReal CostForecastNext(Scene scene, const CostPoint *last, const CostPoint *before, PetscReal unknowns);
 
 enum { BYTES_TEXT = 32 };
-/* "1.2 GB". Not collective. [out] text - [BYTES_TEXT] */
+/* A number of bytes as "1.2 GB". Not collective. [out] text - [BYTES_TEXT] */
 void CostForecastPrintBytes(PetscReal bytes, char text[]);
 
 #endif

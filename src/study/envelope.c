@@ -1,4 +1,4 @@
-/* envelope.c -- what load steps tell of a mesh that all of them are solved on. */
+/* envelope.c -- the largest errors of all load steps on the same mesh. */
 #include "study/envelope.h"
 #include "base/compat.h"
 #include "study/marking.h"
@@ -44,7 +44,8 @@ PetscReal EnvelopeGetSeconds(const Envelope *envelope)
   return sum;
 }
 
-/* Takes the relative errors of cells as far as they are the largest. A solution that is rounding has none, but where contact was missed. */
+/* Takes the relative errors of cells, where they are the largest so far. A solution that is rounding has none, unless contact
+   was missed. */
 static PetscErrorCode EnvelopeTakeCells_Private(Envelope *envelope, const SolvedMesh *mesh, Run run)
 {
   const PetscInt cells = run->vi->level->num_cells;

@@ -1,10 +1,10 @@
-/* envelope.h -- what load steps tell of a mesh that all of them are solved on. */
+/* envelope.h -- the largest errors of all load steps on the same mesh. */
 #ifndef MORTISE_ENVELOPE_H
 #define MORTISE_ENVELOPE_H
 
 #include "study/meshhistory.h"
 
-/* Empty where it is zero. */
+/* Zero means empty. */
 typedef struct {
   PetscInt     num;   /* load steps */
   MeshHistory *step;  /* the meshes of each [num], or NULL */
@@ -16,14 +16,15 @@ typedef struct {
 /* Collective. [in] num - of load steps */
 PetscErrorCode EnvelopeCreate(PetscInt num, Envelope *envelope);
 PetscErrorCode EnvelopeDestroy(Envelope *envelope);
-/* Takes what a solved step tells of the latest mesh, and gives its run the blocks "estimate" and "bars". Collective.
-   [in] i - of the step; each mesh begins with step 0; [in] seconds - that the step took so far */
+/* Adds a solved step on the latest mesh, and gives its run the blocks "estimate" and "bars". Collective.
+   [in] i - index of the step; each mesh begins with step 0; [in] seconds - of the step so far */
 PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal seconds);
-/* Relative error of a step on the latest mesh. Not collective. */
+/* Relative error of a step in the energy norm on the latest mesh. Not collective. */
 PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i);
 /* Seconds of all steps on the latest mesh. Not collective. */
 PetscReal EnvelopeGetSeconds(const Envelope *envelope);
-/* Marks cells where the error of any step is large. Collective. [in] level - the latest mesh; [out] marked - as of MarkingCreate() */
+/* Marks cells where the error of any step is large. Collective. [in] level - the latest mesh; [in] share, [out] marked - as
+   of MarkingCreate() */
 PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked);
 
 #endif

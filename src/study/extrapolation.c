@@ -4,7 +4,7 @@
 #include "base/warning.h"
 #include "study/extrapolation.h"
 
-static const PetscReal QUANTITY_ROUNDING = 1e-9; /* part of its size that a quantity is known to at best */
+static const PetscReal QUANTITY_ROUNDING = 1e-9; /* relative rounding of a quantity */
 
 /* The solved record of an order on a level, or NULL. */
 static const Record *ExtrapolationFindRecords_Private(Study study, PetscInt order, PetscInt level)
@@ -61,7 +61,7 @@ PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolat
   return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= QUANTITY_ROUNDING * size);
 }
 
-/* The best extrapolation of a quantity; whether there is one to tell of. [out] order - of it */
+/* The best extrapolation of a quantity. Returns whether there is one that does not vanish. [out] order - of it */
 static PetscBool ExtrapolationGetTold_Private(Study study, PetscInt q, PetscInt *order, Extrapolation *limit)
 {
   *order = ExtrapolationFindBest(study, q);

@@ -8,9 +8,9 @@
 #include "solve/dualsolve.h"
 #include "study/marking.h"
 #include <math.h>
-#include <stdlib.h>
 
-/* Right-hand sides of all goals, solved together. [out] goal - to be freed by GoalDestroy() [num]; [out] z - VecDestroyVecs() */
+/* Solves the dual problems of all goals together. [out] goal - GoalDestroy() [num]; [out] z - owned by the caller,
+   VecDestroyVecs() [num]; [out] solved - whether all are */
 static PetscErrorCode GoalsSolveDual_Private(Run run, Goal goal[], Vec **z, PetscBool *solved)
 {
   const Scene    scene = run->scene;
@@ -61,7 +61,7 @@ PetscErrorCode GoalsSolve(Run run, GoalState states[], PetscReal **indicators, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where the number of a goal stands in a block of the summary. [out] section - its object, or NULL; [out] key */
+/* The object of a block of the summary with the number of a goal, or NULL. [out] key - of the number */
 static cJSON *GoalsFind_Private(const Scene scene, const SceneGoal *goal, const cJSON *block, const char **key)
 {
   const PetscBool probe = (PetscBool)(goal->kind == GOAL_PROBE);
@@ -71,14 +71,6 @@ static cJSON *GoalsFind_Private(const Scene scene, const SceneGoal *goal, const 
   return cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(block, probe ? "probes" : "pairs"), name);
 }
 
-/* Numbers are kept as text; NAN where there is none. */
-static PetscReal GoalsRead_Private(const cJSON *object, const char key[])
-{
-  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-
-  return cJSON_IsRaw(item) ? (PetscReal)strtod(item->valuestring, NULL) : (PetscReal)NAN;
-}
-
 PetscErrorCode GoalsRaiseBars(Scene scene, const cJSON *row, cJSON *bars, GoalState states[])
 {
   PetscFunctionBeginUser;
@@ -86,9 +78,9 @@ PetscErrorCode GoalsRaiseBars(Scene scene, const cJSON *row, cJSON *bars, GoalSt
     const SceneGoal *goal = &scene->adapt.goals[g];
     const char      *key;
     cJSON           *object = GoalsFind_Private(scene, goal, bars, &key);
-    const PetscReal  bar    = GoalsRead_Private(object, key);
+    const PetscReal  bar    = JSONGetReal(object, key);
 
-    states[g].value = GoalsRead_Private(GoalsFind_Private(scene, goal, row, &key), key);
+    states[g].value = JSONGetReal(GoalsFind_Private(scene, goal, row, &key), key);
     states[g].bar   = PetscIsNanReal(bar) ? bar : PetscMax(bar, states[g].product);
     cJSON_DeleteItemFromObjectCaseSensitive(object, key);
     JSONAddReal(object, key, states[g].bar);

@@ -1,25 +1,18 @@
-/* halvedsteps.c -- numbers of load steps extrapolated to ever smaller steps (eq. 15.2, with the length of steps in place of h).
+/* halvedsteps.c -- numbers of load steps extrapolated to steps of length 0 (eq. 15.2, with the length of steps for h).
 
-   Rows of the summary are trees of numbers. Those of three solutions have the same keys, and the trees of values and bars have them, too. */
+   Rows of the summary are trees of numbers. The rows of three solutions have the same keys; so have the trees of limits and
+   of bars. */
 #include "study/halvedsteps.h"
 #include "base/json.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef const cJSON *Samples[RICHARDSON_LEVELS]; /* the same item of three rows, coarse first */
 
-/* A number as the summary keeps it; NAN for anything else. */
-static PetscReal HalvedStepsGetReal_Private(const cJSON *item)
-{
-  return cJSON_IsRaw(item) ? strtod(item->valuestring, NULL) : NAN;
-}
-
 /* Adds a number of an earlier part to that of the same key. */
 static void HalvedStepsAddNumber_Private(cJSON *object, const cJSON *before, const char key[], PetscBool integer)
 {
-  const PetscReal sum = HalvedStepsGetReal_Private(cJSON_GetObjectItemCaseSensitive(object, key)) +
-                        HalvedStepsGetReal_Private(cJSON_GetObjectItemCaseSensitive(before, key));
+  const PetscReal sum = JSONGetReal(object, key) + JSONGetReal(before, key);
 
   if (!cJSON_GetObjectItemCaseSensitive(object, key)) return;
   cJSON_DeleteItemFromObjectCaseSensitive(object, key);
@@ -55,7 +48,7 @@ static void HalvedStepsAddLimit_Private(const Samples samples, const char key[],
   PetscBool     known   = PETSC_TRUE;
 
   for (int i = 0; i < RICHARDSON_LEVELS; i++) {
-    Q[i]  = HalvedStepsGetReal_Private(samples[i]);
+    Q[i]  = JSONReadReal(samples[i]);
     known = (PetscBool)(known && isfinite((double)Q[i]));
   }
   if (known) limit = RichardsonExtrapolateSteps(Q);
@@ -137,7 +130,7 @@ static void HalvedStepsAddList_Private(const Samples row, const char name[], con
 /* Adds the block to one row. */
 static void HalvedStepsExtrapolateRow_Private(const Samples row, cJSON *last)
 {
-  /* The slip of a step is that of its last part, and places jump from node to node. */
+  /* Not the slip, which is that of the last part of a step, and not positions, which jump from node to node. */
   static const char *const pairs[] = {
       "normal_force", "force",       "area", "max_pressure", "max_pressure_covered", "min_gap", "tangential_force",
       "slip_share",   "dissipation", NULL};
@@ -170,7 +163,7 @@ void HalvedStepsExtrapolate(cJSON *const coarser[RICHARDSON_LEVELS - 1], cJSON *
   for (int step = 0; step < num; step++) {
     cJSON    *last = cJSON_GetArrayItem(rows, step);
     Samples   row  = {cJSON_GetArrayItem(coarser[0], step), cJSON_GetArrayItem(coarser[1], step), last};
-    PetscBool same = PETSC_TRUE; // a part that is not solved is no step
+    PetscBool same = PETSC_TRUE; // all three are solved
 
     for (int i = 0; i < RICHARDSON_LEVELS; i++)
       same = (PetscBool)(same &&

@@ -5,16 +5,18 @@
 
 enum {
   BINS_OF_OCTAVE = 64,                  /* a bin is 1.1 per cent wide */
-  NUM_BINS       = 64 * BINS_OF_OCTAVE, /* cells with less than 2^-64 of the largest have no part in it */
+  NUM_BINS       = 64 * BINS_OF_OCTAVE, /* cells with less than 2^-64 of the largest value are not marked */
   MAX_HALVINGS   = 2,                   /* of an edge at once: a solution tells little of much smaller cells */
-  OCTAVES_LEFT   = 2                    /* that the sum over a halved cell is expected to lose */
+  OCTAVES_LEFT   = 2                    /* expected decrease of the sum over a halved cell, in powers of 2 */
 };
 
-static const PetscReal EQUAL_PARTS  = 1e-6; /* of the share: a sum of equal parts may miss it by that */
-static const PetscReal LEAST_GROWTH = 1.12; /* of the number of cells, without those that would hang: more are marked */
-static const PetscReal LARGE_ERROR  = 0.01; /* eta^2 of |u|_a^2: above, places of the largest errors may change yet */
+static const PetscReal EQUAL_PARTS = 1e-6; /* relative roundoff of a sum that is compared with the share */
+static const PetscReal LEAST_GROWTH =
+    1.12; /* of the number of cells, without conforming closure: below, more are marked */
+static const PetscReal LARGE_ERROR =
+    0.01; /* eta^2 of |u|_a^2: above, the places of the largest errors may still change */
 
-/* The bin of a value, counted from that of the largest one downwards. */
+/* The bin of a value; bin 0 has the largest value. */
 static PetscInt MarkingGetBin_Private(PetscReal largest, PetscReal value)
 {
   const PetscReal octaves =
@@ -23,13 +25,13 @@ static PetscInt MarkingGetBin_Private(PetscReal largest, PetscReal value)
   return value > 0 && octaves < NUM_BINS ? (PetscInt)octaves : NUM_BINS;
 }
 
-/* What is known of a bin's cells. */
+/* Sum of eta_T^2, and number, of the cells of a bin. */
 typedef struct {
   PetscReal squared, cells;
 } Bin;
 
-/* Halves the cells of the largest bins, as many as hold a share of the sum, as far as can be expected. [in] step - bins that a cell's parts
-   lie below it; [in,out] bins - [NUM_BINS + 1]. Returns the last of those bins. */
+/* Moves the cells of the largest bins, whose sum is a share of all, to the bins expected of their halves. Returns the last
+   bin moved. [in] step - distance of the bins of a cell and of its parts; [in,out] bins - [NUM_BINS + 1] */
 static PetscInt MarkingHalve_Private(PetscInt dim, PetscInt step, PetscReal share, Bin bins[])
 {
   PetscReal sum = 0, marked = 0;

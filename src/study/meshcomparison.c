@@ -1,4 +1,4 @@
-/* meshcomparison.c -- interpolation of a solution to a finer mesh: as initial guess, and for differences. */
+/* meshcomparison.c -- differences between the solutions of a study and its reference. */
 #include <math.h>
 #include "base/compat.h"
 #include "result/errors.h"
@@ -14,7 +14,7 @@ static PetscInt MeshComparisonOrderIndex_Private(Study study, PetscInt order)
   return o;
 }
 
-/* The finest solved run of the highest order of those that have one. */
+/* The finest solved run of the highest order with a solved run, -1 for none. */
 static PetscInt MeshComparisonFindReference_Private(Study study)
 {
   PetscInt found = -1;
@@ -29,8 +29,8 @@ static PetscInt MeshComparisonFindReference_Private(Study study)
   return found;
 }
 
-/* The displacement of a record on the mesh of the reference; NULL where it has none that can be brought there: not solved, or
-   on a finer level. */
+/* Interpolates the displacement of a record to the mesh of the reference. [out] v - ghosted, owned by the caller; NULL if the
+   record is not solved, or on a finer level */
 static PetscErrorCode MeshComparisonPromoteRecord_Private(Study study, const Record *record, const Record *reference,
                                                           Vec *v)
 {

@@ -8,8 +8,8 @@
 
 enum { FIRST_ROOM = 8 };
 
-static const PetscReal EXACT = 1e-9; /* a relative error that is rounding: the space holds the solution */
-/* A solution with less than this part of its displacements as deformation is a rigid motion, and the rest rounding. */
+static const PetscReal EXACT = 1e-9; /* largest relative error that is rounding */
+/* The deformation of a rigid motion is rounding: it is below this part of the displacements. */
 static const PetscReal RIGID = 1e-12;
 
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
@@ -18,13 +18,14 @@ PetscReal SolvedMeshGetError(const SolvedMesh *mesh)
   return mesh->missed ? 1 : 0;
 }
 
-/* 2 (J_h - J): what curves change of the potential stands in L, and not in |e|^2. */
+/* 2 (J_h - J), estimated. Curves change the potential by a part of L, not of |e|^2. */
 static PetscReal SolvedMeshGetExcess_Private(const SolvedMesh *mesh)
 {
   return PetscSqr(mesh->error) - mesh->geometry + mesh->signs;
 }
 
-/* theta of the latest mesh: the standard with friction, where the potential is no energy that meshes lower. Collective. */
+/* Sets theta of the latest mesh. With friction it is the standard value: the potential is not an energy that refinement
+   lowers. Collective. */
 static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level)
 {
   CalibrationMesh *meshes;
@@ -99,7 +100,7 @@ PetscBool SolvedMeshIsExact(const SolvedMesh *mesh)
   return (PetscBool) !(SolvedMeshGetError(mesh) > EXACT);
 }
 
-/* "goals": what each of them is on a mesh. [in] named - whether with the text of the option, and whether it is met */
+/* Adds "goals", with their numbers on a mesh. [in] named - whether with the text of the option, and whether they are met */
 static void MeshHistoryAddGoals_Private(const Scene scene, const SolvedMesh *mesh, PetscBool named, cJSON *to)
 {
   cJSON *goals;

@@ -1,4 +1,4 @@
-/* meshhistory.h -- what is remembered of the meshes that a scene was solved on, and the error bars that follow from it. */
+/* meshhistory.h -- results of the meshes that a scene was solved on, and the error bars that follow from them. */
 #ifndef MORTISE_MESHHISTORY_H
 #define MORTISE_MESHHISTORY_H
 
@@ -6,28 +6,29 @@
 
 /* One mesh. */
 typedef struct {
-  PetscInt   cells, unknowns, iterations, active;
-  PetscReal  eta, geometry, theta, error; /* estimate, the part of its square of curves, calibration, E (15.3, 15.4) */
-  PetscReal  norm, potential, signs, seconds; /* |u|_a^2 (0: rounding), J_h, L */
-  PetscBool  missed;                          /* whether contact was missed and nothing moves */
-  cJSON     *row;                             /* of SummaryCreateStep() */
-  GoalState *goals;                           /* [scene->adapt.num_goals], or NULL */
+  PetscInt  cells, unknowns, iterations, active;
+  PetscReal eta, geometry, theta, error; /* estimate, the part of its square from curves, calibration, E (15.3, 15.4) */
+  PetscReal norm, potential, signs;      /* |u|_a^2 (0: rounding), J_h, L */
+  PetscReal seconds;                     /* from the mesh to its bars */
+  PetscBool missed;                      /* whether contact was missed and nothing moves */
+  cJSON    *row;                         /* of SummaryCreateStep() */
+  GoalState *goals;                      /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 
-/* All of them, coarse first; empty where it is zero. */
+/* All meshes, coarse first. Zero means empty. */
 typedef struct {
   PetscInt    num, max;
   SolvedMesh *mesh; /* [max] */
 } MeshHistory;
 
-/* Remembers what a solved run tells of its mesh. Collective. [in] seconds - that the mesh took so far */
+/* Adds the results of a solved run. Collective. [in] seconds - of its mesh so far */
 PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds);
 PetscErrorCode MeshHistoryDestroy(MeshHistory *history);
 /* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is none. Not collective. */
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh);
-/* Whether that is rounding: the space holds the solution. Not collective. */
+/* Whether that error is rounding: the finite element space contains the solution. Not collective. */
 PetscBool SolvedMeshIsExact(const SolvedMesh *mesh);
-/* Gives a run the blocks "estimate" and "bars" of its summary, in place of those that it has, and the goals of the latest mesh their bars. Collective.
+/* Replaces the blocks "estimate" and "bars" of a run, and sets the bars of the goals of the latest mesh. Collective.
    [in,out] run - that of the latest mesh */
 PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run);
 

@@ -1,22 +1,23 @@
-/* pretension.c -- bodies that are tightened to a given force.
+/* pretension.c -- bodies with pretension: their strain along the axis for a given force.
 
-   The strains alpha along the axes are further unknowns of the energy, min over u and alpha of E(u, alpha) + sum F L alpha, which is convex.
-   For fixed alpha it is the problem of contact as it is, with the same matrices: factors are kept. The mean forces are the gradient
-   of a convex function of alpha, monotone, and linear as long as contact stays the same. They are solved for by Broyden's method
-   [1] with the stiffness of the bodies alone to begin with; one body makes it the secant method, exact after two steps of one
-   contact state.
+   The strains alpha along the axes are further unknowns of a convex energy: min over u and alpha of
+   E(u, alpha) + sum F L alpha. For fixed alpha it is a contact problem with the same matrices: factors are kept. The mean
+   forces are the gradient of a convex function of alpha: monotone, and linear while the contact state is the same. Broyden's
+   method [1] finds alpha; its first tangent is the stiffness of the bodies alone. For one body it is the secant method,
+   exact after two steps within one contact state.
 
    Reference:
      [1] C. G. Broyden, A class of methods for solving nonlinear simultaneous equations (1965). */
-#include <string.h>
 #include "base/compat.h"
 #include "problem/eigenstrain.h"
 #include "study/pretension.h"
 
 enum { MAX_SOLVES = 60, MAX_SLACK = 8 }; /* solutions; doublings of a step that changes no force */
 
-/* Forces are found to the first; what iterative solvers leave is accepted up to the second. */
+/* Relative error of the forces that ends the iteration, and the largest one accepted: iterative solvers may leave more. */
 static const PetscReal WANTED = 1e-11, ACCEPTED = 1e-6;
+/* A step s has changed no force, since bodies are slack, if s'H y is below this part of s's. */
+static const PetscReal SLACK = 0.01;
 
 /* The bodies with pretension; [num] each but for the inverse tangent, [num][num]. */
 typedef struct {
@@ -51,7 +52,7 @@ static PetscErrorCode PretensionDestroy_Private(Tightening *t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Forces of a displacement; with first also the tangent of bodies whose ends do not move. */
+/* Computes the forces of a displacement. [in] first - whether to set the tangent too, to that of bodies with fixed ends */
 static PetscErrorCode PretensionMeasure_Private(VI vi, Vec u, PetscBool first, Tightening *t)
 {
   PetscReal stiffness;
@@ -64,7 +65,7 @@ static PetscErrorCode PretensionMeasure_Private(VI vi, Vec u, PetscBool first, T
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest difference to a given force over the largest of these. [out] worst - the body */
+/* The largest error of a force, relative to the largest given force. [out] worst - index of that body in t */
 static PetscReal PretensionError_Private(const Tightening *t, PetscInt *worst)
 {
   PetscReal error = -1, size = 0;
@@ -90,8 +91,8 @@ static void PretensionStep_Private(Scene scene, Tightening *t)
   }
 }
 
-/* H += (s - H y) s'H / s'H y with the step s and the change y of the forces. A step after which bodies are slack changes nothing, and is
-   taken twice as long. Returns whether it has changed something. */
+/* H += (s - H y) s'H / s'H y with the step s and the change y of the forces. If bodies are slack after the step, forces have not
+   changed: then H is doubled, and PETSC_FALSE returned. [out] Hy, sH - work space [num] */
 static PetscBool PretensionUpdateTangent_Private(Tightening *t, PetscReal Hy[], PetscReal sH[])
 {
   const PetscInt n     = t->num;
@@ -107,7 +108,7 @@ static PetscBool PretensionUpdateTangent_Private(Tightening *t, PetscReal Hy[], 
     along += t->step[i] * Hy[i];
     size += PetscSqr(t->step[i]);
   }
-  if (!(along > 0.01 * size)) {
+  if (!(along > SLACK * size)) {
     for (PetscInt i = 0; i < n * n; i++) t->inverse[i] *= 2;
     return PETSC_FALSE;
   }
@@ -116,7 +117,8 @@ static PetscBool PretensionUpdateTangent_Private(Tightening *t, PetscReal Hy[], 
   return PETSC_TRUE;
 }
 
-/* Solves with the strains as they are. [in,out] u - displacement to begin with, and found; guess - whether it is one */
+/* Solves with the present strains. [in,out] u - the initial guess, then the displacement found; [in] guess - whether u is a
+   guess */
 static PetscErrorCode PretensionSolveOnce_Private(VI vi, Solvability solvability, Solver solver, PetscBool guess, Vec u,
                                                   Vec y, SolverReport *report)
 {
@@ -131,7 +133,8 @@ static PetscErrorCode PretensionSolveOnce_Private(VI vi, Solvability solvability
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Broyden's method. [in,out] u - displacement to begin with, where there is a guess; zero else */
+/* Broyden's method. [in,out] u - the initial guess, then the displacement found; [in] guess - whether u is a guess, else it
+   is zero */
 static PetscErrorCode PretensionFind_Private(VI vi, Solvability solvability, Solver solver, PetscBool guess, Vec u,
                                              Vec y, SolverReport *report)
 {

@@ -1,4 +1,4 @@
-/* promotion.c -- a displacement on finer levels. */
+/* promotion.c -- interpolation of a displacement to finer levels. */
 #include "study/promotion.h"
 #include "base/compat.h"
 

@@ -1,14 +1,14 @@
 /* reachcheck.c -- the search radius check.
 
-   A pair looks for partners within its reach, which it chooses from meshes and given displacements, or which is given. How
-   far loads move the bodies is only known afterwards. If the two sides of a pair have moved by no more than the reach
-   together, nothing beyond it can have been met. Otherwise the inequality is made once more with the distance they moved
-   as the reach, and the displacements are put into its rows: nodes that had no multiplier before must not overlap. */
+   A pair searches its partner within its reach. The reach is given, or chosen from meshes and given displacements. The
+   displacements by loads are known only after the solution. If the sides of a pair have moved by no more than the reach
+   together, no contact was missed. Otherwise an inequality is made whose reach is the distance that they moved. In its
+   rows, the displacements must give no overlap at nodes that had no multiplier. */
 #include "base/compat.h"
 #include "base/warning.h"
 #include "study/reachcheck.h"
 
-/* Overlaps above this part of the largest displacement count: as much as the certificate allows where rows were found. */
+/* Largest overlap without missed contact, as a part of the motion; that of the certificate for rows of the inequality. */
 static const PetscReal OVERLAP = 1e-6;
 
 /* max |u| on a side, of this rank. */
@@ -35,7 +35,7 @@ static PetscErrorCode ReachCheckSideMotion_Private(Scene scene, Level *level, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How far the sides of each pair have moved together, 0 where they are glued. Collective. [out] motion - [num_pairs] */
+/* The sum of the largest displacements of both sides of each pair, 0 for tied pairs. Collective. [out] motion - [num_pairs] */
 static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
 {
   const VI           vi = run->vi;
@@ -63,7 +63,8 @@ static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest overlap of each pair at nodes that have a multiplier in the wider inequality alone. Collective. */
+/* The largest overlap of each pair at nodes with a multiplier in the wider inequality alone. Collective. [out] overlap -
+   [num_pairs] */
 static PetscErrorCode ReachCheckGetOverlaps_Private(const Run run, const VI wide, PetscReal overlap[])
 {
   const VI           vi = run->vi;
@@ -96,7 +97,7 @@ static PetscErrorCode ReachCheckGetOverlaps_Private(const Run run, const VI wide
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Contact was missed by a reach that the user has chosen. */
+/* Makes the certificate fail: a reach of the user has missed contact. */
 static PetscErrorCode ReachCheckFail_Private(const ScenePair *spec, PetscReal overlap, PetscReal motion, Certificate *c)
 {
   PetscFunctionBeginUser;
@@ -109,7 +110,7 @@ static PetscErrorCode ReachCheckFail_Private(const ScenePair *spec, PetscReal ov
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Compares with an inequality whose pairs look as far as they have moved. */
+/* Searches with the motions as reaches. [in] motion - [num_pairs]; [out] again - of ReachCheckRun() */
 static PetscErrorCode ReachCheckSearch_Private(Run run, const PetscReal motion[], PetscBool *again)
 {
   ScenePair *specs = run->scene->pairs;
@@ -123,7 +124,7 @@ static PetscErrorCode ReachCheckSearch_Private(Run run, const PetscReal motion[]
     given[p] = specs[p].reach;
     if (motion[p] > run->vi->pairs[p]->reach) specs[p].reach = motion[p];
   }
-  WarningMute(); // if this one counts, it is made again
+  WarningMute(); // this inequality is for the check alone
   PetscCall(VICreate(run->scene, run->mesh, &wide));
   WarningUnmute();
   PetscCall(ReachCheckGetOverlaps_Private(run, wide, overlap));

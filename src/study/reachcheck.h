@@ -4,9 +4,9 @@
 
 #include "study/run.h"
 
-/* Sides that have moved farther than their reach may have passed through what lies beyond it. Looks there, and where bodies
-   overlap after the motion, widens the reach in the scene for pairs that chose it themselves, or makes the certificate fail
-   for those whose reach was given. Collective. [out] again - whether a reach is wider now, so that all has to be done again */
+/* Sides that moved farther than the reach of their pair may have passed through bodies outside it. Searches there. Where
+   bodies overlap, widens a reach that was chosen automatically; a reach of the user makes the certificate fail. Collective.
+   [out] again - whether a reach is wider now: then the problem must be solved again */
 PetscErrorCode ReachCheckRun(Run run, PetscBool *again);
 
 #endif

@@ -1,25 +1,23 @@
 /* richardson.c -- extrapolation to h = 0, with an error bar (eq. 15.2).
 
-   Q(h) = Q + C h^q + ... gives q from three levels h, h/2, h/4, and Q = Q2 + (Q2 - Q1) / (2^q - 1); the bar is the distance
-   that is extrapolated over, times a factor of safety (Roache, Verification and validation in computational science and
-   engineering, 1998). Contact forces converge irregularly, since the edge of contact jumps from node to node: now and then
-   two levels agree by chance, which looks like a high order. So no order above 2 is believed, neither in the distance nor in
-   the difference that it begins with. */
+   Q(h) = Q + C h^q + ... gives q from three levels h, h/2, h/4, and Q = Q2 + (Q2 - Q1) / (2^q - 1). The bar is the second
+   term times a factor of safety (Roache, Verification and validation in computational science and engineering, 1998).
+   Contact forces converge irregularly, since the edge of contact jumps from node to node. Two levels may agree by chance,
+   which looks like a high order. So orders above 2 are not used, neither for 2^q nor for the last difference. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 #include "study/richardson.h"
 
 /* Roache's factor for three meshes. */
 static const PetscReal SAFETY = 1.25;
-/* Observed orders are believed between these; what is below has no limit in sight yet. */
+/* Observed orders are used between these. */
 static const PetscReal RATE_MIN = 0.5, RATE_MAX_MESHES = 2;
-/* A step counts slip from its begin to its end: of first order, and nodes that come into contact within a step are as irregular as edges. */
+/* The same for load steps: slip from the beginning to the end of a step is of first order. */
 static const PetscReal RATE_MAX_STEPS = 1;
-/* Solutions of the same equations, on other numbers of processes for instance, agree to this part. */
+/* Relative difference between solutions of the same equations, on other numbers of processes for instance. */
 static const PetscReal SOLVED = 1e-9;
 
-/* [in] most - the highest order that is believed */
+/* [in] most - the highest order that is used */
 static Extrapolation RichardsonExtrapolate_Private(const PetscReal Q[RICHARDSON_LEVELS], PetscReal most)
 {
   const PetscReal first = Q[1] - Q[0], second = Q[2] - Q[1];
@@ -51,7 +49,7 @@ Extrapolation RichardsonExtrapolateSteps(const PetscReal Q[RICHARDSON_LEVELS])
   return RichardsonExtrapolate_Private(Q, RATE_MAX_STEPS);
 }
 
-/* A number without the zeros and signs that printf puts into exponents. */
+/* Prints a number, without the leading zeros and the plus sign that printf gives exponents. */
 static void RichardsonPrintNumber_Private(char text[], size_t len, PetscReal value, PetscInt exponent, PetscInt digits)
 {
   static const PetscInt PLAIN_MIN = -4, PLAIN_MAX = 5; /* powers of ten that are written out */
@@ -65,7 +63,7 @@ static void RichardsonPrintNumber_Private(char text[], size_t len, PetscReal val
 void RichardsonText(const Extrapolation *limit, char text[], size_t len)
 {
   static const PetscReal TWO_DIGITS = 3;  /* bars that begin with 1 or 2 have two digits: one would round up too much */
-  static const PetscInt  ALL_DIGITS = 15; /* of a number with no bar to speak of */
+  static const PetscInt  ALL_DIGITS = 15; /* of a number without a bar */
   static const PetscReal GUARD      = 1e-9; /* so that 2 is not rounded up to 3 by roundoff */
   char                   value[64], bar[64];
   PetscInt               power, exponent;

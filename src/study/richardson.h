@@ -1,4 +1,4 @@
-/* richardson.h -- the limit of a sequence of values on meshes or of load steps, each halved once more. */
+/* richardson.h -- the limit of values on meshes, or of load steps, that are halved again and again. */
 #ifndef MORTISE_RICHARDSON_H
 #define MORTISE_RICHARDSON_H
 
@@ -12,12 +12,12 @@ typedef struct {
   PetscBool monotone; /* else bar is the spread of the values */
 } Extrapolation;
 
-/* [in] Q - on three levels, coarse first */
+/* Extrapolates to h = 0. Not collective. [in] Q - on three levels, coarse first */
 Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS]);
-/* The same of load steps that are halved, whose errors are of first order. */
+/* The same for load steps, whose errors are of first order. Not collective. */
 Extrapolation RichardsonExtrapolateSteps(const PetscReal Q[RICHARDSON_LEVELS]);
-/* "1.83697e6 +- 2.0e2": the value rounded to the last digit of a bar of one digit or two, which is rounded up so that the interval
-   that is written holds the one that was computed. [out] text - [len], RICHARDSON_TEXT is enough */
+/* "1.83697e6 +- 2.0e2": the bar has one or two digits, and the value no more decimals than the bar. The bar is rounded up, so
+   that the printed interval contains the computed one. Not collective. [out] text - [len], RICHARDSON_TEXT is enough */
 void RichardsonText(const Extrapolation *limit, char text[], size_t len);
 
 #endif

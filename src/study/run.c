@@ -8,9 +8,8 @@
 #include "study/pretension.h"
 #include "study/reachcheck.h"
 
-enum {
-  MAX_TRIES = 4
-}; /* a wider reach has the bodies move less or somewhere else; four times somewhere else is not to be expected */
+/* Attempts with wider reaches. After each, bodies move less, or meet other sides; four times other sides is not expected. */
+enum { MAX_TRIES = 4 };
 
 /* Solves and judges. [out] again - whether a wider reach is needed */
 static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
@@ -25,7 +24,7 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
     PetscCall(SolverCrossCheck(run->solver, run->y, &run->report, &run->check));
   PetscCall(LogStageEnd(STAGE_SOLVE));
   if (scene->measure_linear && run->report.converged) PetscCall(SolverSolveLinear(run->solver, run->y, &run->report));
-  if (scene->infsup && !run->inf_sup) { // of the matrices alone, which load steps keep
+  if (scene->infsup && !run->inf_sup) { // depends on matrices alone, which load steps keep
     PetscCall(PetscMalloc1(run->vi->num_pairs, &run->inf_sup));
     PetscCall(InfSupCompute(run->vi, run->solvability, run->inf_sup));
   }
@@ -36,14 +35,14 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
   if (run->certificate.holds) PetscCall(ReachCheckRun(run, again));
-  PetscCall(ErrorsCompute(run->fields, &run->errors)); // in no stage: it is not part of a solution
-  /* a second solver that finds nothing says nothing against the first, which has its certificate: that is a warning */
+  PetscCall(ErrorsCompute(run->fields, &run->errors)); // in no stage: not part of the solution
+  /* a second solver that does not converge is a warning: the first one has its certificate */
   run->solved = (PetscBool)(run->report.converged && run->certificate.holds &&
                             (!run->check.done || !run->check.other.converged || run->check.agree));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nothing is solved with -check or where there is no solution, and nothing is known. */
+/* Sets the report and the certificate of a run that solves nothing: with -check, or without a solution. */
 static PetscErrorCode RunLeaveUnsolved_Private(Run run)
 {
   const Solvability s = run->solvability;
@@ -62,7 +61,8 @@ static PetscErrorCode RunLeaveUnsolved_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The inequality and its solver, which may go on from those of a coarser level. [in,out] older - destroyed; or NULL for none */
+/* Creates the inequality and its solver, from those of a coarser level if there are any. [in,out] older - run of the coarser
+   level, destroyed; or NULL */
 static PetscErrorCode RunSetUp_Private(Run run, Run *older)
 {
   PetscFunctionBeginUser;
@@ -74,8 +74,8 @@ static PetscErrorCode RunSetUp_Private(Run run, Run *older)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One try, with pairs that reach as far as the scene says. [in] history - displacement from which slip counts, or NULL; [in,out] older - of
-   RunSetUp_Private() */
+/* One attempt, with the present reaches of the scene. [in] history - displacement from which slip counts, or NULL; [in,out]
+   older - of RunSetUp_Private(); [out] again - of ReachCheckRun() */
 static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, Vec guess, Vec history, Run *run_out,
                                             PetscBool *again)
 {
@@ -108,13 +108,13 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error for a pair none of whose nodes faces anything, once loads have had their say: where bodies moved farther than
-   their reach, pairs have looked farther. Load steps keep what they have, and a later one may close the gap: there it is a warning.
+/* Raises a user error for a pair without partner. It is raised after the solution: where bodies moved farther than their
+   reach, a partner may have been found. With load steps it is a warning only, since a later step may close the gap.
    Collective. */
 static PetscErrorCode RunCheckEmptyPairs_Private(const Run run)
 {
   if (run->scene->steps.num || (!run->refused && !run->certificate.holds))
-    return PETSC_SUCCESS; // that has its own sentence
+    return PETSC_SUCCESS; // a failed certificate has its own sentence
   for (PetscInt p = 0; p < run->vi->num_pairs; p++) {
     const Pair       pair = run->vi->pairs[p];
     const ScenePair *spec = pair->spec;
@@ -131,7 +131,7 @@ static PetscErrorCode RunCheckEmptyPairs_Private(const Run run)
   return PETSC_SUCCESS;
 }
 
-/* Contact was missed in the last try, too. */
+/* Makes the certificate fail: contact was missed in the last attempt as well. */
 static PetscErrorCode RunGiveUp_Private(Run run)
 {
   PetscFunctionBeginUser;
@@ -144,8 +144,8 @@ static PetscErrorCode RunGiveUp_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Tries until no wider reach is needed. [in] history - of RunCreateOnce_Private(); [in] again - whether to begin at all; [in,out] older - of RunSetUp_Private(); [in,out] run - of the last
-   try, or NULL */
+/* Repeats RunCreateOnce_Private() until no wider reach is needed; then warns about the result. [in] history, [in,out] older -
+   of RunCreateOnce_Private(); [in] again - whether an attempt is needed; [in,out] run - of the last attempt, or NULL */
 static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, Vec history, PetscBool again, Run older,
                                      Run *run)
 {
@@ -165,13 +165,13 @@ static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, Vec hist
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the summary has the energy of load steps. */
+/* Whether the summary has the energy balance of load steps. */
 static PetscBool RunIsBalanced_Private(const Run run)
 {
   return (PetscBool)(run->scene->steps.num && SceneHasFriction(run->scene));
 }
 
-/* Remembers a solution for the initial guess of the next one, and balances its energy; u is referenced. */
+/* Keeps a solution for the initial guess of the next one, and computes its energy balance. */
 static PetscErrorCode RunRemember_Private(Run run)
 {
   PetscFunctionBeginUser;
@@ -220,8 +220,8 @@ PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* u at the present time from the last solutions: on the line through two, or proportional to t, or the last one. [out] guess - ghosted, to
-   be destroyed by the caller; NULL without any */
+/* Extrapolates u to the present time from the last solutions: linearly from two of them, or proportionally to t, or the last
+   one. [out] guess - ghosted, owned by the caller; NULL without a solution */
 static PetscErrorCode RunExtrapolate_Private(Run run, Vec *guess)
 {
   const PetscReal t = run->scene->time, last = run->past[0].t, before = run->past[1].t;
@@ -256,7 +256,7 @@ void RunForgetBlocks(Run run)
   run->estimate = run->bars = NULL;
 }
 
-/* Drops what belongs to the last solution alone. */
+/* Deletes the results of the last solution. */
 static PetscErrorCode RunForget_Private(Run run)
 {
   PetscFunctionBeginUser;
@@ -273,7 +273,7 @@ static PetscErrorCode RunForget_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves with what is there. [out] again - whether all is to be made anew */
+/* Solves again with the present matrices and contact. [out] again - whether all must be made anew */
 static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool *again)
 {
   const int changed = run->scene->changed;
@@ -306,7 +306,7 @@ PetscErrorCode RunAdvance(Vec guess, Run *run)
   PetscBool   again;
 
   PetscFunctionBeginUser;
-  scene->tighten = (PetscBool)((scene->changed & DATUM_PRETENSION) != 0); // a nut is tightened once
+  scene->tighten = (PetscBool)((scene->changed & DATUM_PRETENSION) != 0); // pretension is applied once
   if (!guess) PetscCall(RunExtrapolate_Private(*run, &own));
   WarningBeginAgain();
   PetscCall(RunForget_Private(*run));

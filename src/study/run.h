@@ -31,33 +31,38 @@ struct _n_Run {
   Certificate   certificate;
   Vec           reactions;
   Errors        errors;
-  cJSON        *estimate, *bars; /* of the summary, with adaptive meshes, or NULL */
+  cJSON        *estimate, *bars; /* blocks of the summary, or NULL */
   SetupCheck    setup;           /* with -check */
-  PetscBool     checked;         /* with -check: nothing was solved, and there are no fields */
-  PetscBool     refused;         /* there is no solution: nothing was solved, and there are no fields */
+  PetscBool     checked;         /* with -check: nothing is solved, and there are no fields */
+  PetscBool     refused;         /* there is no solution: nothing is solved, and there are no fields */
   PetscBool     solved;          /* converged, certified, and not contradicted by a second solver */
 };
 typedef struct _n_Run *Run;
 
-/* Condenses, solves and judges on the finest level of a mesh; prints the model where -scene_view asks for it. Faults on
-   options that nothing has read. Collective.
-   [in] guess - displacement to begin with (ghosted, dim per node of that level), or NULL; [out] run - owned by the caller */
+/* Condenses, solves and judges on the finest level of a mesh; prints the model where -scene_view asks for it. User errors:
+   options that nothing has read; a pair without partner; those of VICreate() and of exact solutions. Collective.
+   [in] guess - initial guess of the displacement (ghosted, dim per node of that level), or NULL; [out] run - owned by the
+   caller */
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
+/* Collective. */
 PetscErrorCode RunDestroy(Run *run);
-/* The same after a load step of another run, of the same mesh. Collective. [in] last - its displacement, ghosted; t - its time */
+/* RunCreate() after a load step of another run of the same mesh: slip counts from there. Collective. [in] last - displacement
+   of that step, ghosted; [in] t - its time */
 PetscErrorCode RunCreateAfter(Scene scene, Mesh mesh, Vec last, PetscReal t, Run *run);
-/* The same with bolts as they are: pretensions keep the strains that earlier solutions have found. Collective. */
+/* RunCreate(), but pretensions keep the strains of earlier solutions. Collective. */
 PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run);
-/* The run on the new finest level that MeshAdapt() has given the mesh: scales, coarser levels of multigrid with their matrices, smoothers and
-   transfer stay; what only the old level had goes. Collective. [in] guess - as of RunCreate(), not a Vec of the run; [in,out] run */
+/* Replaces the run by one on the new finest level of MeshAdapt(). It takes over the scales, and the coarser levels of
+   multigrid with their matrices, smoothers and transfer. Collective. [in] guess - as of RunCreate(), not a Vec of the run;
+   [in,out] run */
 PetscErrorCode RunExtend(Vec guess, Run *run);
-/* Solves and judges once more, when the scene has another time or other data (SceneSetTime(), SceneSetDatum()): matrices, factors,
-   levels and contact stay as far as scene->changed allows. Where -<pair>_reach turns out too small, or the stiffness changes, it is
-   RunCreate(). Collective. [in] guess - displacement to begin with; NULL: extrapolated from the last solutions; [in,out] run */
+/* Solves and judges once more, after a change of time or data of the scene (SceneSetTime(), SceneSetDatum()). Keeps matrices,
+   factors, levels and contact as far as scene->changed allows. If the stiffness changes, or -<pair>_reach is too small, it is
+   RunCreate(). Collective. [in] guess - initial guess of the displacement; NULL: extrapolated from the last solutions;
+   [in,out] run */
 PetscErrorCode RunAdvance(Vec guess, Run *run);
-/* Drops the blocks "estimate" and "bars". Not collective. */
+/* Deletes the blocks "estimate" and "bars". Not collective. */
 void RunForgetBlocks(Run run);
-/* What the summary tells of; borrows from the run. Not collective. */
+/* The input of the summary, borrowed from the run. Not collective. */
 SummaryInput RunSummary(Run run);
 
 #endif

@@ -1,6 +1,7 @@
 /* steps.c -- the loop over load steps, and what is written after each. */
 #include "base/compat.h"
 #include "base/interrupt.h"
+#include "base/json.h"
 #include "base/log.h"
 #include "base/usererror.h"
 #include "base/warning.h"
@@ -10,6 +11,7 @@
 #include "study/halvedsteps.h"
 #include "study/steps.h"
 #include "study/stepscolumns.h"
+#include "study/tablerow.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,14 +23,14 @@ enum { PAIRS_SHOWN = 2, TEXT_LENGTH = PETSC_MAX_PATH_LEN + 256, TIME_TEXT = 32 }
 
 /* The loop. */
 typedef struct {
-  Scene        scene;    /* borrowed */
-  cJSON       *rows;     /* of all steps so far, on all ranks */
-  PetscBool    quiet;    /* nothing is printed on stdout */
-  PetscBool    repeated; /* all steps are solved on each of the adaptive meshes */
-  PetscInt     parts;    /* of each step: 1, but with -load_steps_halved */
-  PetscBool    coarse;   /* all steps are solved, but errors are larger than what was asked for */
-  PetscBool    passing;  /* another step follows the present one, if that is solved */
-  PetscBool    any;      /* whether a step is solved: */
+  Scene        scene;                           /* borrowed */
+  cJSON       *rows;                            /* of all steps so far: SummaryCreateStep(), on all ranks */
+  PetscBool    quiet;                           /* nothing is printed on stdout */
+  PetscBool    repeated;                        /* all steps are solved on each of the adaptive meshes */
+  PetscInt     parts;                           /* of each step; 1 without -load_steps_halved */
+  PetscBool    coarse;                          /* all steps are solved, but errors are larger than asked for */
+  PetscBool    passing;                         /* another step follows the present one, if that is solved */
+  PetscBool    any;                             /* whether a step is solved */
   char         now[TIME_TEXT], last[TIME_TEXT]; /* times of the present step, and of the last solved one */
   OutputSeries series;
   Adaptive     adaptive; /* NULL on one mesh */
@@ -36,20 +38,7 @@ typedef struct {
   PetscReal    begin_t;
 } Steps;
 
-/* Faults on a pair whose table would have the name of the steps'. */
-static PetscErrorCode StepsCheckNames_Private(Scene scene)
-{
-  PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < scene->num_pairs && scene->output; p++) {
-    if (strcmp(scene->pairs[p].name, "steps")) continue;
-    PetscCall(UserErrorRaise(scene->comm,
-                             "-pairs steps: %s_steps.csv is the table of the load steps; give the pair another name",
-                             scene->output));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* What is said if a signal comes now. */
+/* Sets the sentence of an interruption. */
 static void StepsSetInterruptSentence_Private(const Steps *steps)
 {
   const int done = cJSON_GetArraySize(steps->rows);
@@ -65,18 +54,10 @@ static void StepsSetInterruptSentence_Private(const Steps *steps)
   InterruptSetSentence(text);
 }
 
-/* A number of a row, NAN where it has none: numbers are kept as text, with all their digits. */
-static double StepsGetNumber_Private(const cJSON *object, const char key[])
-{
-  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-
-  return cJSON_IsRaw(item) ? strtod(item->valuestring, NULL) : NAN;
-}
-
 /* " +- 2.1", or nothing. [in] bars - of a pair, or NULL */
 static PetscErrorCode StepsPrintBar_Private(const Steps *steps, const cJSON *bars, const char key[])
 {
-  const double bar = StepsGetNumber_Private(bars, key);
+  const double bar = JSONGetReal(bars, key);
 
   PetscFunctionBeginUser;
   if (!isnan(bar)) PetscCall(PetscPrintf(steps->scene->comm, " +- %.2g", bar));
@@ -89,7 +70,7 @@ static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const c
   const MPI_Comm  comm       = steps->scene->comm;
   const char     *status     = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(row, "status"));
   const PetscBool refused    = (PetscBool)(strcmp(status, "no_solution") == 0);
-  const int       iterations = (int)StepsGetNumber_Private(row, "iterations");
+  const int       iterations = (int)JSONGetReal(row, "iterations");
   const cJSON    *limit      = cJSON_GetObjectItemCaseSensitive(row, "limit");
   const cJSON    *bars = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(limit ? limit : row, "bars"),
                                                           "pairs"),
@@ -99,22 +80,22 @@ static PetscErrorCode StepsPrint_Private(const Steps *steps, PetscInt i, const c
   PetscFunctionBeginUser;
   if (steps->quiet) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscPrintf(comm, "step %" PetscInt_FMT " of %" PetscInt_FMT ", t = %.9g: %s", i + 1,
-                        steps->scene->steps.num, StepsGetNumber_Private(row, "t"),
+                        steps->scene->steps.num, JSONGetReal(row, "t"),
                         refused                         ? "no solution"
                         : strcmp(status, "solved") == 0 ? "solved"
                                                         : "NOT SOLVED"));
   if (!refused)
     PetscCall(PetscPrintf(comm, ", %d iteration%s, %.2g s", iterations, iterations == 1 ? "" : "s",
-                          StepsGetNumber_Private(row, "seconds")));
+                          JSONGetReal(row, "seconds")));
   cJSON_ArrayForEach(pair, cJSON_GetObjectItemCaseSensitive(row, "pairs"))
   {
     const cJSON *own = cJSON_GetObjectItemCaseSensitive(bars, pair->string);
 
     if (refused || shown++ == PAIRS_SHOWN) break;
     PetscCall(PetscPrintf(comm, "%s %s: force %.5g", shown == 1 ? ";" : ",", pair->string,
-                          StepsGetNumber_Private(pair, "normal_force")));
+                          JSONGetReal(pair, "normal_force")));
     PetscCall(StepsPrintBar_Private(steps, own, "normal_force"));
-    PetscCall(PetscPrintf(comm, ", area %.4g", StepsGetNumber_Private(pair, "area")));
+    PetscCall(PetscPrintf(comm, ", area %.4g", JSONGetReal(pair, "area")));
     PetscCall(StepsPrintBar_Private(steps, own, "area"));
   }
   PetscCall(PetscPrintf(comm, "\n"));
@@ -131,7 +112,7 @@ static PetscErrorCode StepsAddSummary_Private(const Steps *steps, Output output,
   if (scene->summary && strcmp(scene->summary, "-")) PetscCall(OutputAddText(output, scene->summary, text));
   if (!scene->output) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
-  PetscCall(OutputAddText(output, path, text)); // the last: where it is, the result is complete
+  PetscCall(OutputAddText(output, path, text)); // the last file: if it is there, the result is complete
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -186,7 +167,7 @@ static PetscErrorCode StepsSolveAt_Private(Steps *steps, PetscReal t, Mesh mesh,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a step is solved in parts: a nut is tightened in the first step, once. */
+/* Whether a step is solved in parts; not the first step with pretension, which is applied there at once. */
 static PetscBool StepsIsParted_Private(const Steps *steps, PetscInt i)
 {
   if (steps->parts == 1) return PETSC_FALSE;
@@ -195,8 +176,8 @@ static PetscBool StepsIsParted_Private(const Steps *steps, PetscInt i)
   return PETSC_TRUE;
 }
 
-/* Solves a step, in its parts. Before the first step is t = 0, or the time of -restart. [in] guess - as of StepsSolveAt_Private();
-   [out] before - row of the parts before the last one that was solved, NULL for none */
+/* Solves the parts of a step. The first step begins at t = 0, or at the time of -restart. [in] guess - as of
+   StepsSolveAt_Private(); [out] before - row of all parts but the last solved one, NULL for none */
 static PetscErrorCode StepsSolveParts_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, cJSON **before)
 {
   const PetscReal to = steps->scene->steps.t[i], from = i ? steps->scene->steps.t[i - 1] : steps->begin_t;
@@ -221,10 +202,11 @@ static PetscErrorCode StepsSolveParts_Private(Steps *steps, PetscInt i, Mesh mes
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves a step, and tells of it. [in] guess - for the first, or NULL; [out] text - as of StepsWrite_Private() */
+/* Solves a step, prints its line and writes files. [in] guess - for the first, or NULL; [out] text - as of
+   StepsWrite_Private() */
 static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, char **text)
 {
-  const PetscBool later = (PetscBool)(steps->repeated || steps->scene->steps.halved); // it is told behind all steps
+  const PetscBool later = (PetscBool)(steps->repeated || steps->scene->steps.halved); // lines follow after all steps
   SummaryInput    input;
   cJSON          *row, *before;
 
@@ -248,7 +230,7 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is said in the end: the last step, as of a scene without steps, and where they end. */
+/* Prints the results of the last step, as of a scene without steps, and on stderr the step that was not solved. */
 static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const char text[])
 {
   const Scene    scene = steps->scene;
@@ -271,7 +253,7 @@ static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Omits the steps that the file of -restart has behind it. */
+/* Omits the steps up to the end of the file of -restart. [in] t - the time of its end */
 static PetscErrorCode StepsOmit_Private(Scene scene, PetscReal t)
 {
   SceneSteps     *plan = &scene->steps;
@@ -298,7 +280,7 @@ static PetscErrorCode StepsOmit_Private(Scene scene, PetscReal t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes up the run of -restart. */
+/* Reads the file of -restart. */
 static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
 {
   const Scene scene = steps->scene;
@@ -313,8 +295,9 @@ static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The guess of a step from those of the coarser mesh. The step before shows what this mesh adds to them. [in] coarse - all steps of the
-   coarser mesh, on this one; [in] run - of the step before; [out] guess - ghosted, owned by the caller */
+/* The initial guess of a step: its displacement on the coarser mesh, plus the difference of the meshes in the step before.
+   [in] coarse - displacements of all steps on the coarser mesh, interpolated to this one; [in] run - of the step before;
+   [out] guess - ghosted, owned by the caller */
 static PetscErrorCode StepsCorrectGuess_Private(const Vec coarse[], PetscInt i, Run run, Vec *guess)
 {
   PetscFunctionBeginUser;
@@ -326,8 +309,8 @@ static PetscErrorCode StepsCorrectGuess_Private(const Vec coarse[], PetscInt i, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All steps, until one is not solved. [in] first - guess for the first, or NULL; [in] coarse - of StepsCorrectGuess_Private(), or NULL;
-   [in,out] text - as of StepsWrite_Private() */
+/* Solves all steps, until one is not solved. [in] first - guess for the first, or NULL; [in] coarse - of
+   StepsCorrectGuess_Private(), or NULL; [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsSolveAll_Private(Steps *steps, Mesh mesh, Vec first, const Vec coarse[], Run *run,
                                             char **text)
 {
@@ -346,8 +329,8 @@ static PetscErrorCode StepsSolveAll_Private(Steps *steps, Mesh mesh, Vec first, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Behind the last mesh: prints the steps, and says which of them have larger errors than what was asked for. [in] met - whether none has;
-   [in,out] text - as of StepsWrite_Private() */
+/* After the last mesh: prints the steps, and changes the status of those with errors larger than asked for. [in] met - whether
+   there are none; [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsJudge_Private(Steps *steps, PetscBool met, Run run, char **text)
 {
   cJSON   *row;
@@ -366,7 +349,7 @@ static PetscErrorCode StepsJudge_Private(Steps *steps, PetscBool met, Run run, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Forgets all steps but their meshes: the same ones follow. */
+/* Forgets the results of all steps, since the same steps follow on another mesh or in more parts. */
 static PetscErrorCode StepsBeginAgain_Private(Steps *steps)
 {
   PetscFunctionBeginUser;
@@ -379,8 +362,8 @@ static PetscErrorCode StepsBeginAgain_Private(Steps *steps)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All steps, whole, in halves and in quarters. Files have the steps of the latest ones, those of quarters also what ever smaller steps
-   would give. [in] first - guess for the first; [in,out] text - as of StepsWrite_Private() */
+/* Solves all steps whole, in halves and in quarters. Files have the latest steps; in the end those of quarters, with their
+   limits. [in] first - guess for the first, or NULL; [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
 {
   const MPI_Comm comm = steps->scene->comm;
@@ -413,8 +396,8 @@ static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All steps on one mesh after the other. Files have the steps of the latest mesh. [in] first - guess for the first, or NULL; [in,out] text -
-   as of StepsWrite_Private() */
+/* Solves all steps on each adaptive mesh. Files have the steps of the latest mesh. [in] first - guess for the first, or NULL;
+   [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
 {
   Vec      *guess = NULL;
@@ -443,7 +426,7 @@ PetscErrorCode StepsRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   char *text  = NULL;
 
   PetscFunctionBeginUser;
-  PetscCall(StepsCheckNames_Private(scene));
+  PetscCall(TableCheckName(scene, "steps", "the load steps"));
   steps.repeated = SceneRepeatsSteps(scene);
   steps.quiet    = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
   PetscCall(StepsRestart_Private(&steps, mesh, run));

@@ -1,38 +1,28 @@
-/* stepscolumns.c -- <output>_steps.csv, from the rows of the summary: one list of numbers for both. */
+/* stepscolumns.c -- <output>_steps.csv, from the rows of the summary. */
 #include "base/compat.h"
 #include "study/stepscolumns.h"
-#include <math.h>
+#include "study/tablerow.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { NAME_LENGTH = 512 };
 
-/* Writes names, or values. */
-typedef struct {
-  FILE     *out;
-  PetscBool names;
-  PetscInt  num;
-} Row;
-
 static const char *const axes[]     = {"_x", "_y", "_z"};
 static const char *const stresses[] = {"_xx", "_yy", "_zz", "_yz", "_xz", "_xy"};
 
-static void RowAdd_Private(Row *row, const char name[], const cJSON *value)
+static void RowAdd_Private(TableRow *row, const char name[], const cJSON *value)
 {
-  if (row->num++) fputc(',', row->out);
-  if (row->names)
-    fprintf(row->out, strpbrk(name, ",\"") ? "\"%s\"" : "%s", name);
-  else if (cJSON_IsString(value) || cJSON_IsRaw(value)) // numbers are raw: with all their digits
-    fputs(value->valuestring, row->out);
+  if (cJSON_IsString(value) || cJSON_IsRaw(value)) // numbers are raw texts with all their digits
+    TableRowAdd(row, name, value->valuestring);
   else if (cJSON_IsBool(value))
-    fputs(cJSON_IsTrue(value) ? "1" : "0", row->out);
+    TableRowAdd(row, name, cJSON_IsTrue(value) ? "1" : "0");
   else
-    fputs("nan", row->out);
+    TableRowAdd(row, name, "nan");
 }
 
 /* A number, or one column for each component. */
-static void RowAddNumbers_Private(Row *row, const char owner[], const char what[], const cJSON *value)
+static void RowAddNumbers_Private(TableRow *row, const char owner[], const char what[], const cJSON *value)
 {
   const int size = cJSON_IsArray(value) ? cJSON_GetArraySize(value) : 0;
   char      name[NAME_LENGTH];
@@ -47,8 +37,8 @@ static void RowAddNumbers_Private(Row *row, const char owner[], const char what[
   }
 }
 
-/* What friction adds. */
-static void RowAddFriction_Private(Row *row, const cJSON *pair)
+/* Adds the columns of friction. */
+static void RowAddFriction_Private(TableRow *row, const cJSON *pair)
 {
   static const char *const friction[] = {"tangential_force", "slip_share", "max_slip", "dissipation"};
 
@@ -56,8 +46,8 @@ static void RowAddFriction_Private(Row *row, const cJSON *pair)
     RowAddNumbers_Private(row, pair->string, friction[i], cJSON_GetObjectItemCaseSensitive(pair, friction[i]));
 }
 
-/* With adaptive meshes: the estimated error, and the bars of each pair's numbers but places. */
-static void RowAddBars_Private(Row *row, const cJSON *step)
+/* Adds, with adaptive meshes, the estimated error and the bars of each pair, without those of positions. */
+static void RowAddBars_Private(TableRow *row, const cJSON *step)
 {
   static const char *const numbers[] = {"normal_force", "area",     "max_pressure", "max_pressure_covered", "min_gap",
                                         "force",        "max_slip", "dissipation",  "tangential_force"};
@@ -77,8 +67,8 @@ static void RowAddBars_Private(Row *row, const cJSON *step)
   }
 }
 
-/* With halved steps: what ever smaller steps would give for each pair's numbers, and its bars. */
-static void RowAddLimits_Private(Row *row, const cJSON *step)
+/* Adds, with halved steps, the limits of each pair's numbers and their bars. */
+static void RowAddLimits_Private(TableRow *row, const cJSON *step)
 {
   static const char *const blocks[] = {"values", "bars"}, *const prefixes[] = {"limit", "limit_bar"};
   const cJSON *limit = cJSON_GetObjectItemCaseSensitive(step, "limit"), *pair, *number;
@@ -94,8 +84,8 @@ static void RowAddLimits_Private(Row *row, const cJSON *step)
   }
 }
 
-/* All numbers of a step that have a name of their own. */
-static void RowWrite_Private(Row *row, Scene scene, const cJSON *step)
+/* Writes the row of a step. */
+static void RowWrite_Private(TableRow *row, Scene scene, const cJSON *step)
 {
   static const char *const own[]    = {"t", "status", "certificate", "iterations", "linear_iterations", "seconds"};
   static const char *const pairs[]  = {"normal_force", "area",         "max_pressure",       "min_gap",
@@ -142,7 +132,7 @@ PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)
 {
   char         path[PETSC_MAX_PATH_LEN], *text = NULL;
   size_t       size;
-  Row          row = {.names = PETSC_TRUE};
+  TableRow     row = {.names = PETSC_TRUE};
   const cJSON *step;
 
   PetscFunctionBeginUser;
@@ -151,7 +141,7 @@ PetscErrorCode StepsAddTable(Output output, Scene scene, const cJSON *rows)
   RowWrite_Private(&row, scene, cJSON_GetArrayItem(rows, 0));
   cJSON_ArrayForEach(step, rows)
   {
-    row = (Row){.out = row.out};
+    row = (TableRow){.out = row.out};
     fputc('\n', row.out);
     RowWrite_Private(&row, scene, step);
   }

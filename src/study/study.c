@@ -1,5 +1,4 @@
 /* study.c -- the runs of a study. */
-#include <math.h>
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "base/interrupt.h"
@@ -16,19 +15,18 @@
 #include "study/marking.h"
 #include "study/promotion.h"
 #include "study/studyimpl.h"
+#include "study/tablerow.h"
 
-enum {
-  BAR_LEVELS = 3 /* solved ones that error bars need */
-};
+enum { BAR_LEVELS = 3 }; /* least number of solved meshes that error bars need */
 
-/* All bodies of the scene take an order, which whatever is made of the scene from now on has. */
+/* Sets the order of all bodies of the scene. */
 static void StudySetOrder_Private(Study study, PetscInt order)
 {
   for (PetscInt b = 0; b < study->scene->num_bodies; b++)
     study->scene->bodies[b].order = order == STUDY_OWN_ORDERS ? study->own_orders[b] : order;
 }
 
-/* Whether a run with so many unknowns fits beside what is held now; if not, the record says so. */
+/* Whether a run fits into the memory that is allowed; if not, the record has the reason. [in] held - bytes in use; [out] fits */
 static PetscErrorCode StudyFitsMemory_Private(Study study, Record *record, PetscReal held, PetscBool *fits)
 {
   const PetscReal allowed = study->scene->study.memory;
@@ -47,14 +45,14 @@ static PetscErrorCode StudyFitsMemory_Private(Study study, Record *record, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The mesh of an order on a level: made, or refined once more, unless memory speaks against it. */
+/* Makes the mesh of an order, or refines it, if that fits into memory. [in] held - bytes in use; [out] made - whether it did */
 static PetscErrorCode StudyMakeMesh_Private(Study study, PetscInt o, Record *record, PetscReal held, PetscBool *made)
 {
   const Scene scene = study->scene;
 
   PetscFunctionBeginUser;
   *made = PETSC_TRUE;
-  if (record->level) { // refining shows how large the mesh is only when it is done
+  if (record->level) { // the size of a mesh is known after its refinement only
     const Record *before = &record[-study->num_orders];
 
     record->unknowns = CostForecastUnknowns(study, before);
@@ -76,7 +74,8 @@ static PetscErrorCode StudyMakeMesh_Private(Study study, PetscInt o, Record *rec
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The solution of the next coarser run, on this run's mesh; NULL if there is none. */
+/* Interpolates the solution of the next coarser run to the mesh of this run. [out] guess - owned by the caller; NULL without
+   such a run */
 static PetscErrorCode StudyGetGuess_Private(Study study, PetscInt o, const Record *record, Vec *guess)
 {
   const PetscInt first   = study->mesh[o]->own;
@@ -89,7 +88,7 @@ static PetscErrorCode StudyGetGuess_Private(Study study, PetscInt o, const Recor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks the cells that the next mesh of an adaptive study refines; all where nothing is solved. */
+/* Marks the cells that the next mesh of an adaptive study refines: all cells, if there are no fields. */
 static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
 {
   const Level *level = MeshFinest(study->mesh[o]);
@@ -107,7 +106,7 @@ static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on the finest mesh of an order and writes down how it went. [out] refused - whether there is no solution */
+/* Solves on the finest mesh of an order, and fills the record. [out] refused - whether there is no solution */
 static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record, PetscBool *refused)
 {
   Run     run;
@@ -131,7 +130,7 @@ static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record
   if (study->scene->study.kind == STUDY_ADAPTIVE) PetscCall(StudyMark_Private(study, o, run));
   if (run->refused && study->best < 0) PetscCall(StudyWriteBest(study, run));
   if (run->solved) {
-    if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else to be compared with what is yet to come
+    if (study->exact && coarser) PetscCall(VecDestroy(&coarser->u)); // else finer runs are compared with it
     PetscCall(PetscObjectReference((PetscObject)run->fields->u));
     record->u = run->fields->u;
     PetscCall(MeshHistoryAdd(&study->history[o], run, record->total));
@@ -145,7 +144,8 @@ static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One run from beginning to end. */
+/* Makes the mesh, solves and writes files. [out] solved - whether the run is solved or skipped; [out] refused - whether there
+   is no solution */
 static PetscErrorCode StudyRunOne_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved,
                                           PetscBool *refused)
 {
@@ -182,7 +182,7 @@ static PetscErrorCode StudyRunOne_Private(Study study, PetscInt o, PetscInt leve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The summary where the scene wants it, beside <output>.json. */
+/* Writes the summary to the file of -summary, or prints it. */
 static PetscErrorCode StudyWriteSummary_Private(Study study)
 {
   const Scene scene = study->scene;
@@ -199,20 +199,7 @@ static PetscErrorCode StudyWriteSummary_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults on a pair whose table would have the name of the study's. */
-static PetscErrorCode StudyCheckNames_Private(Scene scene)
-{
-  PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < scene->num_pairs && scene->output; p++) {
-    if (strcmp(scene->pairs[p].name, "study")) continue;
-    PetscCall(UserErrorRaise(scene->comm,
-                             "-pairs study: %s_study.csv is the table of the study itself; give the pair another name",
-                             scene->output));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Runs that were omitted. */
+/* Warns of skipped runs. */
 static PetscErrorCode StudyWarnSkipped_Private(Study study)
 {
   const Record *first = NULL;
@@ -231,7 +218,7 @@ static PetscErrorCode StudyWarnSkipped_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is to be known of the study as a whole, once all runs have ended. Collective. */
+/* Warns of results of the study as a whole, after all runs. Collective. */
 static PetscErrorCode StudyWarn_Private(Study study)
 {
   PetscFunctionBeginUser;
@@ -249,7 +236,7 @@ PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict)
   Study             study;
 
   PetscFunctionBeginUser;
-  PetscCall(StudyCheckNames_Private(scene));
+  PetscCall(TableCheckName(scene, "study", "the study itself"));
   PetscCall(StudyCreate(scene, &study));
   PetscCall(TerminalIsPresent(scene->comm, &study->terminal));
   study->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));

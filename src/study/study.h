@@ -5,18 +5,18 @@
 #include "base/usererror.h"
 #include "scene/scene.h"
 
-/* Solves scene->study.levels meshes, each refined once more than the one before, with every order of the study: level by
-   level, and on a level the cheaper order first, so that an interrupted study has what could be had. A run begins at the
-   coarser solution of its order. Prints a line for each run, and at the end what the last three levels of each order say
-   of the exact values (Richardson).
+/* Solves on scene->study.levels meshes, each refined once more than the one before, with each order of the study. Runs go
+   from level to level, and within a level from order to order, so that an interrupted study has complete levels. The initial
+   guess of a run is the coarser solution of its order. Prints a line for each run, and at the end the values extrapolated from
+   the last three levels of each order (Richardson).
 
-   FileSet, each rewritten as a whole after every run: <output>_study.csv, and those of OutputAddFields() and the
-   summary for the finest run of the highest order so far; the summary has the block "study" beside the usual ones. SIGINT and
-   SIGTERM end the program by their usual effect, but not in the midst of writing, and with a sentence.
+   Files, each rewritten after every run: <output>_study.csv; those of OutputAddFields(), and the summary with the block
+   "study", for the finest run of the highest order so far. SIGINT and SIGTERM end the program as usual, but not while it
+   writes, and with a sentence.
 
-   Errors are those against the exact displacements, where all bodies have one; else differences from the finest run of the
-   highest order, which has none itself.
-   Collective. [out] verdict - MORTISE_SOLVED if there were runs and all that were done are solved */
+   Errors are relative to the exact displacements, if bodies have them; else they are differences from the finest run of the
+   highest order. User errors: those of MeshSetUp() and RunCreate(); a pair with the name "study". Collective.
+   [out] verdict - MORTISE_SOLVED if there are runs and all of them are solved */
 PetscErrorCode StudyRun(Scene scene, MortiseExit *verdict);
 
 #endif

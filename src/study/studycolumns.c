@@ -1,7 +1,7 @@
 /* studycolumns.c -- the columns of a study, for table and summary. */
 #include "study/studyimpl.h"
 
-/* Where the columns go. */
+/* The callback of StudyColumnsVisit() and its context. */
 typedef struct {
   ColumnFn take;
   void    *ctx;

@@ -1,61 +1,32 @@
 /* studyfiles.c -- table and summary of a study, rewritten after every run. */
 #include <cjson/cJSON.h>
-#include <math.h>
 #include "base/compat.h"
 #include "base/interrupt.h"
 #include "base/json.h"
 #include "base/warning.h"
 #include "output/output.h"
 #include <stdlib.h>
-#include <string.h>
 #include "study/extrapolation.h"
 #include "study/studyimpl.h"
+#include "study/tablerow.h"
 
 /* --- <output>_study.csv ---------------------------------------------------------------------------------------------- */
 
-/* A row that grows from left to right. */
-typedef struct {
-  FILE     *out;
-  PetscBool names; /* the row of names instead of the values */
-  PetscInt  num;
-} Row;
-
-/* A word in quotes if it has to be. */
-static void StudyWriteWord_Private(FILE *out, const char word[])
-{
-  if (!strpbrk(word, ",\"\n")) {
-    fputs(word, out);
-    return;
-  }
-  fputc('"', out);
-  for (; *word; word++) {
-    if (*word == '"') fputc('"', out);
-    fputc(*word, out);
-  }
-  fputc('"', out);
-}
-
 static void StudyRowFn(void *ctx, const Column *column)
 {
-  Row *row = ctx;
+  char text[32] = "nan"; // printf may add a sign to it
 
-  if (row->num++) fputc(',', row->out);
-  if (row->names)
-    fputs(column->name, row->out);
-  else if (column->kind == COLUMN_WORD)
-    StudyWriteWord_Private(row->out, column->word);
-  else if (column->kind == COLUMN_COUNT && column->count >= 0)
-    fprintf(row->out, "%" PetscInt_FMT, column->count);
-  else if (column->kind == COLUMN_COUNT || PetscIsNanReal(column->real))
-    fputs("nan", row->out); // without the sign that printf may show
-  else
-    fprintf(row->out, "%.17g", (double)column->real);
+  if (column->kind == COLUMN_COUNT && column->count >= 0)
+    snprintf(text, sizeof(text), "%" PetscInt_FMT, column->count);
+  else if (column->kind == COLUMN_REAL && !PetscIsNanReal(column->real))
+    snprintf(text, sizeof(text), "%.17g", (double)column->real);
+  TableRowAdd(ctx, column->name, column->kind == COLUMN_WORD ? column->word : text);
 }
 
 static void StudyWriteTable_Private(Study study, FILE *out)
 {
   for (PetscInt r = -1; r < study->num; r++) {
-    Row row = {.out = out, .names = (PetscBool)(r < 0)};
+    TableRow row = {.out = out, .names = (PetscBool)(r < 0)};
 
     StudyColumnsVisit(study, &study->records[PetscMax(r, 0)], PETSC_TRUE, StudyRowFn, &row);
     if (r < study->num - 1) fputc('\n', out);
@@ -156,7 +127,7 @@ PetscErrorCode StudySummary(Study study, char **text)
 
 /* --- all of them ----------------------------------------------------------------------------------------------------- */
 
-/* Writes what `write` puts into a file of memory to a file on disk. Collective. */
+/* Writes a file, whose text a callback makes on the first rank. Collective. */
 static PetscErrorCode StudyWriteFile_Private(Study study, const char suffix[], void (*write)(Study, FILE *))
 {
   char        path[PETSC_MAX_PATH_LEN], *text = NULL;
@@ -178,11 +149,11 @@ static PetscErrorCode StudyWriteFile_Private(Study study, const char suffix[], v
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What is said if a signal comes now. */
+/* Sets the sentence of an interruption. */
 static void StudySetInterruptSentence_Private(Study study)
 {
   const Scene       scene = study->scene;
-  const char *const line  = study->terminal ? "\n" : ""; // below the one that says what is being solved
+  const char *const line  = study->terminal ? "\n" : ""; // below that of StudyTableAnnounce()
   char              text[PETSC_MAX_PATH_LEN + 256];
   PetscInt          done = 0;
 
@@ -209,7 +180,7 @@ PetscErrorCode StudyWriteFiles(Study study)
     if (study->shown) {
       PetscCall(StudySummary(study, &text));
       PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", study->scene->output));
-      PetscCall(OutputAddText(study->output, path, text)); // the last: where it is, the result is complete
+      PetscCall(OutputAddText(study->output, path, text)); // the last file: if it is there, the result is complete
       free(text);
     }
     InterruptHold();

@@ -7,15 +7,13 @@
 #include "base/memory.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
-#include <stdarg.h>
-#include <stdlib.h>
 #include "study/studyimpl.h"
 
 static const char *const axes[] = {"x", "y", "z"};
 
 /* --- names ----------------------------------------------------------------------------------------------------------- */
 
-/* Appends a quantity that is measured by its own size. [in] owner, axis - may be "" */
+/* Appends a quantity whose size is its own value. [in] owner, axis - may be "" */
 static Quantity *StudyAddQuantity_Private(Study study, const char key[], const char label[], const char owner[],
                                           const char axis[])
 {
@@ -28,7 +26,7 @@ static Quantity *StudyAddQuantity_Private(Study study, const char key[], const c
   return quantity;
 }
 
-/* In the order in which RecordValues_Private() fills them. */
+/* Names the quantities, in the order of RecordValues_Private(). */
 static PetscErrorCode StudyNameQuantities_Private(Study study)
 {
   const Scene    scene = study->scene;
@@ -68,7 +66,7 @@ static void StudyAddErrors_Private(Study study, const char owner[], const char f
   }
 }
 
-/* In the order in which RecordErrors_Private() fills them: of all bodies together, or of those whose solution is known. */
+/* Names the errors, in the order of RecordErrors_Private(): of all bodies together, or of those with an exact solution. */
 static PetscErrorCode StudyNameErrors_Private(Study study)
 {
   const Scene scene = study->scene;
@@ -93,7 +91,7 @@ static PetscErrorCode StudyNameErrors_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- life ------------------------------------------------------------------------------------------------------------ */
+/* --- create and destroy ------------------------------------------------------------------------------------------------------------ */
 
 PetscErrorCode StudyCreate(Scene scene, Study *study_out)
 {
@@ -167,7 +165,7 @@ Record *StudyFindCoarser(Study study, PetscInt order, PetscInt level)
   return found;
 }
 
-/* --- what a run tells ------------------------------------------------------------------------------------------------ */
+/* --- results of a run ------------------------------------------------------------------------------------------------ */
 
 PetscErrorCode RecordMesh(Record *record, Level *level)
 {
@@ -248,7 +246,7 @@ static void RecordErrors_Private(Study study, const Errors *errors, RecordError 
   }
 }
 
-/* Seconds of the slowest rank in each stage, and what all processors worked. */
+/* Sets times and memory of a run. Collective. */
 static PetscErrorCode RecordCost_Private(Study study, Record *record)
 {
   const MPI_Comm comm    = study->scene->comm;
@@ -302,14 +300,14 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
 
 /* --- orders of convergence ------------------------------------------------------------------------------------------- */
 
-/* How often h was halved between two meshes: known of uniform ones, of adaptive ones what uniform ones with as many unknowns had. */
+/* Number of halvings of h between two meshes; for adaptive meshes, between uniform ones with as many unknowns. */
 static PetscReal RecordHalvings_Private(Study study, const Record *coarser, const Record *record)
 {
   if (study->scene->study.kind == STUDY_UNIFORM) return record->level - coarser->level;
   return PetscLog2Real((PetscReal)record->unknowns / coarser->unknowns) / study->scene->dim;
 }
 
-/* e_coarse / e = 2^(rate halvings). */
+/* The rate is that of e_coarse / e = 2^(rate halvings). */
 void StudyComputeRates(Study study)
 {
   for (PetscInt r = 0; r < study->num; r++) {

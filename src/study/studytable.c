@@ -1,7 +1,5 @@
 /* studytable.c -- the table of a study on the terminal. */
-#include <math.h>
 #include "base/compat.h"
-#include <string.h>
 #include "study/extrapolation.h"
 #include "study/studyimpl.h"
 
@@ -80,7 +78,7 @@ PetscErrorCode StudyTableAdd(Study study, const Record *record)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Differences from the finest run: known at the end only. */
+/* Prints differences from the finest run, which are known at the end only. */
 static PetscErrorCode StudyTablePrintDifferences_Private(Study study)
 {
   const MPI_Comm comm = study->scene->comm;
@@ -115,7 +113,7 @@ static PetscBool StudyTableHasDifferences_Private(Study study)
   return PETSC_FALSE;
 }
 
-/* Names of the files that were written. */
+/* Prints the names of the files. */
 static PetscErrorCode StudyTablePrintFiles_Private(Study study)
 {
   const MPI_Comm comm  = study->scene->comm;
