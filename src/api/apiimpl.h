@@ -44,8 +44,9 @@ PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error);
 PetscBool ApiReady(void);
 /* Whether the caller started PETSc, which then has read its options. Not collective. */
 PetscBool ApiJoined(void);
-/* Faults before MortiseSetFromOptions(); before MortiseSolve(), or where that had no single answer. Collective. */
+/* User error: MortiseSetFromOptions() was not called. Collective. */
 PetscErrorCode ApiNeedScene(Mortise m, const char function[]);
+/* User error: MortiseSolve() was not called, or has no single answer. Collective. */
 PetscErrorCode ApiNeedRun(Mortise m, const char function[]);
 
 #endif

@@ -1,7 +1,6 @@
 /* handle.c -- the life of a handle: options, scene, mesh, solution. */
 #include "api/apiimpl.h"
 #include <stdlib.h>
-#include <string.h>
 #include "api/process.h"
 #include "base/compat.h"
 #include "base/log.h"

@@ -18,7 +18,7 @@ static PetscErrorCode NeedFields_Private(Mortise m, const char function[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Index of a pair; faults where there is none of that name. */
+/* Index of a pair. User error: there is none of that name. */
 static PetscErrorCode FindPair_Private(Mortise m, const char function[], const char pair[], PetscInt *p)
 {
   const Scene  scene = m->scene;

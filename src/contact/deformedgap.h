@@ -1,13 +1,14 @@
-/* deformedgap.h -- nodal gaps where a displacement has taken the sides of a pair (eq. 11.7). */
+/* deformedgap.h -- nodal gaps of a pair in the deformed configuration (eq. 11.7). */
 #ifndef MORTISE_DEFORMEDGAP_H
 #define MORTISE_DEFORMEDGAP_H
 
 #include "contact/pair.h"
 
-/* G_a / D_aa of a pair's nodes in the deformed configuration, along new normals and by new projections: what PairsCreate() does, at other
-   positions. Multipliers stay where they are. A gap or an offset that is given adds what it differs by from the geometry.
-   Collective. [in] u - ghosted, dim per node; [out] gap - NAN where nothing within reach faces the node any more [pair->num]; [out] turn - angle
-   between the side's own nodal normals before and afterwards, radians, or NULL [pair->num] */
+/* G_a / D_aa of a pair's nodes in the deformed configuration, with its normals and projections, as of PairsCreate(). The nodes
+   with multipliers stay the same. A given gap or offset adds its difference from the undeformed geometry. Collective.
+   [in] u - ghosted, dim per node
+   [out] gap - NAN where nothing within reach faces the node [pair->num]
+   [out] turn - angle between the nodal normals of the side before and after, in radians; optional, may be NULL [pair->num] */
 PetscErrorCode DeformedGapMeasure(Scene scene, const Support *support, Pair pair, Vec u, PetscReal gap[],
                                   PetscReal turn[]);
 

@@ -10,7 +10,7 @@ typedef struct {
   PetscInt  n;                                /* all nodes of the facet, or its vertices */
   PetscReal size;                             /* of the facet, a length */
   PetscReal measure, cover;                   /* of the facet, of its covered part */
-  PetscBool fully_covered, partly_covered;    /* covered altogether, by a mesh in part */
+  PetscBool fully_covered, partly_covered;    /* covered completely; covered by a mesh in part */
   PetscReal covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
   PetscReal full[ELEMENT_MAX_FACET_NODES];    /* int phi~_i over the whole facet */
   PetscReal gap[ELEMENT_MAX_FACET_NODES];     /* int psi_i g */

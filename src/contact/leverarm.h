@@ -4,20 +4,21 @@
 
 #include "contact/overlappoints.h"
 
-/* The arm v = x - pi(x) of a tied point is carried by the tangent plane of the mortar facet: x moves as pi(x) does, and by
+/* The arm v = x - pi(x) of a tied point moves with the tangent plane of the mortar facet: x moves as pi(x), and by
      (v . grad) u - (v . n) grad (u . n) = sum_b block_b u_b,
-   grad and n being those of the facet. Of a rigid motion that is its turn times v. Returns whether there is an arm at all; blocks are
-   not set if not. [in] size - of the nonmortar facet; [out] blocks - of the mortar facet's nodes [num_nodes][dim][dim] */
+   with grad and n of the facet. For a rigid motion that is its rotation of v. Returns whether there is an arm; else blocks are
+   not set. Not collective. [in] size - of the nonmortar facet; [out] blocks - of the nodes of the mortar facet
+   [num_nodes][dim][dim] */
 PetscBool LeverArmAtPoint(PetscInt dim, const ClipFacet *facet, const ClipFacet *mortar, const ClipPoint *point,
                           PetscReal size, PetscReal blocks[]);
 
-/* Whether the contact directions at the facet's nodes differ. If not, all of them are the direction of the rays. */
+/* Whether the contact directions at the facet's nodes differ. If not, all are the direction of the rays. Not collective. */
 PetscBool LeverArmDirectionsDiffer(PetscInt dim, const ClipFacet *facet);
 
-/* The term that joins phi^m_j(pi(x)) in the row of node i, which then meets the mortar facet along its own direction n_i instead of along the
-   ray: beside_i . grad phi^m_j. The vector beside_i lies in the tangent plane at pi(x) and ends where x + t n_i meets that plane.
-   Not collective. [in] num_rows - the first nodes of the facet; [out] extra - not set if there is no tangent plane
-   [num_rows][nodes of the mortar facet] */
+/* The term beside phi^m_j(pi(x)) in the row of node i, which moves its line of action from the ray to the direction n_i:
+   beside_i . grad phi^m_j. The vector beside_i lies in the tangent plane at pi(x), and ends where x + t n_i meets that plane.
+   Returns whether there is a tangent plane; else extra is not set. Not collective.
+   [in] num_rows - the first nodes of the facet; [out] extra - [num_rows][nodes of the mortar facet] */
 PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const ClipFacet *facet, const ClipFacet *mortar,
                             const ClipPoint *point, PetscReal extra[]);
 

@@ -1,13 +1,13 @@
 /* pair.h -- D, M, weighted gap and normals of one contact pair on one level (eqs. 3.2-3.4).
 
    D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
-   side. Rows of removed nodes (fixed in normal direction, or hardly covered) are redistributed to their kept neighbours
-   (eq. 5.1), which is where D gets its few entries off the diagonal. Facets are integrated by the rank that holds them.
+   side. Rows of removed nodes (fixed along the normal, or hardly covered) are redistributed to their kept neighbours
+   (eq. 5.1): this gives D few entries off its diagonal. Facets are integrated by their rank.
 
-   Where only vertices of quadratic facets carry multipliers (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions
-   and all this is written for the displacements u~ of u = u~ + to_nodal u~ on the nonmortar side: a vertex keeps its
-   displacement, the unknown at a middle node is what goes beyond the mean of the two ends (eq. 3.6). On tri6 psi is dual to phi~,
-   and u~ is that of eq. 3.5, where nodes with multipliers are shifted as well. M applies to u. */
+   With multipliers at vertices of quadratic facets alone (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions.
+   D is written for u~ of u = u~ + to_nodal u~ on the nonmortar side. A vertex keeps its displacement; the unknown at a middle
+   node is its displacement less the mean of the two ends (eq. 3.6). On tri6, psi is dual to phi~, and u~ is that of eq. 3.5,
+   with other unknowns at nodes with multipliers as well. M applies to u. */
 #ifndef MORTISE_PAIR_H
 #define MORTISE_PAIR_H
 
@@ -21,45 +21,45 @@ typedef struct {
 } OverlapBoundary;
 
 struct _n_Pair {
-  const ScenePair *spec;  /* borrowed */
-  Level           *level; /* borrowed */
-  PetscInt         num;   /* multiplier nodes owned by this rank */
-  PetscInt        *nodes; /* their local node numbers, ascending [num] */
-  PetscReal       *D;     /* weights D_aa > 0 [num] */
-  PetscReal       *gap;   /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
-  PetscReal
-      *overlap; /* the largest -g at a point of the facets around a node, and what curves change g by there [num] */
-  PetscReal *normal; /* unit, out of the nonmortar body [num][dim] */
-  PetscReal *frame;  /* rows (n, t..) orthonormal; t along the fixed direction where there is one [num][dim][dim] */
-  PetscBool *partly_covered; /* whether a facet around the node is covered in part; then `boundary` tell where [num] */
-  PetscBool *fully_covered;  /* whether a facet around the node is covered altogether [num] */
+  const ScenePair *spec;    /* borrowed */
+  Level           *level;   /* borrowed */
+  PetscInt         num;     /* multiplier nodes owned by this rank */
+  PetscInt        *nodes;   /* their local node numbers, ascending [num] */
+  PetscReal       *D;       /* weights D_aa > 0 [num] */
+  PetscReal       *gap;     /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal       *overlap; /* the largest -g at a point of the facets around a node, plus its change by curves [num] */
+  PetscReal       *normal;  /* unit, out of the nonmortar body [num][dim] */
+  PetscReal *frame; /* rows (n, t..) orthonormal; t along the fixed direction where there is one [num][dim][dim] */
+  PetscBool *partly_covered; /* whether a facet around the node is covered in part; boundary has where [num] */
+  PetscBool *fully_covered;  /* whether a facet around the node is covered completely [num] */
   PetscReal *cover;          /* the part of the facets around the node that is covered, 0..1 [num] */
   PetscInt   num_beyond;
-  PetscInt              *
-      beyond; /* local nodes without a multiplier of which the partner covers next to nothing: they lie beyond it [num_beyond] */
+  PetscInt
+      *beyond; /* local nodes without a multiplier that the partner hardly covers: they lie outside it [num_beyond] */
   PetscInt         num_boundary;
-  OverlapBoundary *boundary;    /* of facets of this rank [num_boundary] */
-  Mat              D_other;     /* D_ac, c without a multiplier (node x node), or NULL where there is none */
-  Mat to_nodal, from_nodal;     /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */
-  Mat M;                        /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  Mat arm;                      /* of a tie across a gap: what joins M, in blocks of size dim (eq. 5.4); else NULL */
-  struct _n_PairPoints *points; /* where the pair was integrated (pairpoints.h) */
+  OverlapBoundary *boundary; /* of facets of this rank [num_boundary] */
+  Mat              D_other;  /* D_ac, c without a multiplier (node x node), or NULL where there is none */
+  Mat to_nodal, from_nodal;  /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */
+  Mat M;                     /* node x node, rows of multiplier nodes; NULL for an obstacle */
+  Mat arm;                   /* of a tie across a gap: its term beside M, in blocks of size dim (eq. 5.4); else NULL */
+  struct _n_PairPoints *points;                                      /* where the pair was integrated (pairpoints.h) */
   PetscInt              num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt              num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */
-  PetscReal             reach;                                       /* that was used */
-  PetscBool smooth[2]; /* whether the nonmortar, the mortar side is smooth: gaps are those of curves (eq. 4.5) */
-  PetscReal curve_error
-      [2]; /* what gaps may be off by as each side bends between its nodes, at most; 0 where gaps are given */
+  PetscReal             reach;                                       /* search radius */
+  PetscBool smooth[2];      /* whether the nonmortar, the mortar side is smooth: gaps are those of curves (eq. 4.5) */
+  PetscReal curve_error[2]; /* largest error of gaps by the curvature of each side between nodes; 0 if gaps are given */
 };
 typedef struct _n_Pair *Pair;
 
-/* Searches and integrates all pairs of the scene, and decides which nodes carry their multipliers: not where a node's normal
-   direction is fixed, nor where an earlier pair constrains nearly the same direction; those rows are redistributed.
+/* Searches and integrates all pairs of the scene, and decides which nodes have multipliers. A node has none where its normal
+   direction is fixed, or where an earlier pair constrains nearly the same direction; these rows are redistributed. User
+   errors: an initial overlap outside a given reach; a pair without a node because earlier pairs have all of them.
    Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
 PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pair pairs[]);
-/* Integrates gaps anew, with the reach that pairs have: formulas and offsets may have changed. Collective. [in,out] pairs - their gaps;
-   [out] same - false where other nodes would have multipliers: then pairs are as they were */
+/* Integrates gaps anew after a change of formulas or offsets, with the same reach. Collective. [in,out] pairs - their gaps;
+   [out] same - false where other nodes would have multipliers: then pairs are unchanged */
 PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support, Pair pairs[], PetscBool *same);
+/* Collective. */
 PetscErrorCode PairDestroy(Pair *pair);
 
 #endif

@@ -7,7 +7,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { MAX_TYPE = 19, PATH = 64, MAX_ROWS = 500000000 };
 

@@ -1,13 +1,11 @@
 /* adapt.c -- one more level by bisection of marked cells.
 
-   Bisection is integer work on the first rank. The new lists take the way of the first ones: one DMPlex, parted anew, so that every level
-   is balanced and keeps contact together; tables. Only the prolongation needs more: the first rank knows each cell's
-   parent and place in it, and gathers which global nodes both have. */
+   The first rank bisects, in integer arithmetic. Its new lists of cells become one DMPlex, which is partitioned anew: so
+   every level is balanced, and sides that may meet share ranks. For the prolongation, the first rank gathers the global
+   nodes of all cells of both levels; it knows the parent of each cell, and the position of the cell in it. */
 #include "mesh/forest.h"
 #include "base/compat.h"
-#include "base/usererror.h"
 
-/* Takes the lists as the roots of trees. */
 PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[], MeshForest *forest)
 {
   PetscFunctionBeginUser;
@@ -41,7 +39,6 @@ PetscErrorCode MeshForestDestroy(MeshForest *forest)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The DM of the forest's lists, on the first rank. */
 PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *curves)
 {
   BodyList *lists;
@@ -54,7 +51,9 @@ PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What this rank knows of its cells: cells and vertices by the points of the whole DM, whose cells come first. */
+/* Describes the cells of this rank. Their numbers and those of their vertices are the points of the DM of all ranks, in
+   which cells come first. [in] origin - of PartitionDistribute(); num_all - cells of all ranks; [out] cells -
+   [level->num_cells] */
 static PetscErrorCode LevelDescribeCells_Private(const Level *level, const PetscInt origin[], PetscInt num_all,
                                                  ForestCell cells[])
 {
@@ -76,7 +75,7 @@ static PetscErrorCode LevelDescribeCells_Private(const Level *level, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Vertices of all bodies become those of their own body. */
+/* Renumbers vertices: from those of all bodies to those of their own body. */
 static void ForestLocalize_Private(MeshForest forest)
 {
   PetscInt cell = 0, vertex = 0;
@@ -91,7 +90,6 @@ static void ForestLocalize_Private(MeshForest forest)
   }
 }
 
-/* The first rank learns the latest level. Collective. [in] origin - points of the whole DM, of this rank's */
 PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[])
 {
   ForestCell  *own, *all = NULL;
@@ -136,7 +134,8 @@ PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks of all ranks, by the numbers of the lists. Collective. [out] all - [num_cells], NULL on other ranks */
+/* Gathers the marks of all ranks. Collective. [out] all - in the order of the lists [forest->num_cells] on the first rank,
+   NULL on others; owned by the caller */
 static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *level, const PetscInt marked[],
                                                 PetscInt **all)
 {
@@ -153,7 +152,8 @@ static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Values of the rows of a child's nodes that have none yet. [in] coarse - cells of the level before; [in,out] done - by global node */
+/* Sets the rows of the nodes of a child that are not set yet. [in] fine, coarse - the child and its parent; [in,out] done -
+   whether a row is set, by global node */
 static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt child, const ForestCell *fine,
                                                   const ForestCell *coarse, PetscBool done[], Mat P)
 {
@@ -165,7 +165,7 @@ static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt chi
   for (PetscInt k = 0; k < ElementNumNodes((ElementType)fine->type); k++) {
     if (done[fine->nodes[k]]) continue;
     done[fine->nodes[k]] = PETSC_TRUE;
-    for (PetscInt i = 0; i < num; i++) { // dyadic numbers: zeros are exact
+    for (PetscInt i = 0; i < num; i++) { // weights are dyadic numbers: zeros are exact
       if (weights[k * num + i] != 0)
         PetscCall(MatSetValue(P, fine->nodes[k], coarse->nodes[i], weights[k * num + i], INSERT_VALUES));
     }
@@ -173,7 +173,7 @@ static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt chi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Node values of one level to those of the next. Collective. [in] before - cells of the coarse level on the first rank */
+/* Creates the prolongation of the fine level. Collective. [in] before - cells of the coarse level, on the first rank */
 static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestCell before[], const Level *coarse,
                                                 Level *fine)
 {
@@ -183,7 +183,8 @@ static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestC
   PetscCall(MatCreate(fine->comm, &P));
   PetscCall(MatSetSizes(P, fine->num_owned, coarse->num_owned, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetType(P, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocation(P, FOREST_MAX_NODES, NULL)); // one of the two does nothing
+  PetscCall(
+      MatSeqAIJSetPreallocation(P, FOREST_MAX_NODES, NULL)); // on several ranks this has no effect, on one the next
   PetscCall(MatMPIAIJSetPreallocation(P, FOREST_MAX_NODES, NULL, FOREST_MAX_NODES, NULL));
   if (forest->num_cells) {
     PetscBool *done;

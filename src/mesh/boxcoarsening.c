@@ -16,7 +16,8 @@ typedef struct {
   PetscReal cells, unknowns;
 } Size;
 
-PetscBool MeshWantsLevels(Scene scene, PetscReal num_unknowns)
+/* Whether solvers use levels for a scene of so many unknowns. */
+static PetscBool SceneWantsLevelsFor_Private(Scene scene, PetscReal num_unknowns)
 {
   const PetscReal limit = scene->dim == 2 ? MESH_LEVELS_2D : MESH_LEVELS_3D;
 
@@ -53,8 +54,8 @@ static PetscBool SceneWantsLevels_Private(Scene scene)
   PetscInt          order = 1;
 
   for (PetscInt i = 0; i < study->num_orders; i++) order = PetscMax(order, study->orders[i]);
-  return MeshWantsLevels(scene,
-                         SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
+  return SceneWantsLevelsFor_Private(
+      scene, SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
 }
 
 /* How many times the edges of a body can be doubled. Refinement takes triangles to the triangles of the finer

@@ -2,7 +2,6 @@
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <petscsf.h>
-#include <string.h>
 
 /* The numbers of physical groups that a name stands for, joined with '+'. */
 typedef struct {

@@ -1,7 +1,6 @@
 /* fileextract.c -- the lists of a body from the mesh of its file: its cells and nodes. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
-#include <string.h>
 
 PetscErrorCode LabelGetPoints(DM dm, const char name[], PetscInt tag, PetscInt *num, PetscInt **points)
 {

@@ -3,7 +3,6 @@
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <petscsf.h>
-#include <string.h>
 
 enum { CORNERS = 4 };
 

@@ -1,7 +1,6 @@
 /* fileregions.c -- cells of a file by their physical groups: those that form a body, and its regions. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
-#include <string.h>
 
 /* Marks the cells of one group. [out] any - whether there are some */
 static PetscErrorCode GroupMark_Private(DM dm, const GmshNames *names, const char group[], PetscBool chosen[],

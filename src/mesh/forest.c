@@ -1,11 +1,12 @@
-/* forest.c -- a body's cells under bisection, and its lists. */
+/* forest.c -- the cells of a body under bisection. */
 #include "mesh/forest.h"
 #include "base/compat.h"
 
-/* Bisections of a cell that curves tangle; each one leaves a quarter of what it bends. */
-enum { UNTANGLE_TIMES = 12 }; /* long thin cells along a circle take more than three */
+/* Largest number of bisections of a tangled cell. Each halving of a curved edge leaves a quarter of its rise; long thin
+   cells along a circle need more than three. */
+enum { UNTANGLE_TIMES = 12 };
 
-/* The facet of a simplex that does not have this vertex. */
+/* The facet of a simplex opposite a vertex. */
 static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
 {
   for (PetscInt f = 0; f < ElementNumFacets(linear); f++) {
@@ -19,7 +20,8 @@ static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
   return -1;
 }
 
-/* Numbers the facets that have sides. [out] facets - of every cell, opposite each vertex [num_cells][dim+1] */
+/* Numbers the facets that have sides. [out] facets - number of the facet opposite each vertex, -1 without a side
+   [num_cells][dim+1] */
 static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt facets[])
 {
   const BodyList *list = &tree->list;
@@ -43,7 +45,7 @@ static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt facets[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The place of a vertex among those of a cell. */
+/* The index of a vertex among those of a cell. */
 static PetscInt PlaceOf_Private(PetscInt num, const PetscInt vertices[], PetscInt vertex)
 {
   PetscInt i = 0;
@@ -52,7 +54,7 @@ static PetscInt PlaceOf_Private(PetscInt num, const PetscInt vertices[], PetscIn
   return i;
 }
 
-/* The list's facets: halves of those of the first list. */
+/* Lists the facets with sides: parts of those of the first list. */
 static PetscErrorCode TreeListFacets_Private(const Tree *tree, BodyList *list)
 {
   const Bisection *mesh = &tree->mesh;
@@ -94,8 +96,8 @@ PetscErrorCode BodyListMapVertices(const BodyList *list, const SceneBody *body, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Positions after the map of the nodes that a cell has on a level; middles of straight edges are not in the list. [out] X -
-   [nodes of type][dim]; [out] finite - whether all are known */
+/* Positions after the map of the nodes of a cell, as one of the given type. [out] X - [nodes of type][dim]; [out] finite -
+   whether the map is finite at all of them */
 static PetscErrorCode CellMapNodes_Private(const BodyList *list, const SceneBody *body, PetscInt cell, ElementType type,
                                            PetscReal X[], PetscBool *finite)
 {
@@ -120,7 +122,7 @@ static PetscErrorCode CellMapNodes_Private(const BodyList *list, const SceneBody
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The smallest det J of a cell, in the sense of its body. */
+/* The smallest det J of a cell. [in] reversed - of the tree */
 static PetscErrorCode CellMinJacobian_Private(const BodyList *list, const SceneBody *body, PetscInt cell,
                                               PetscBool reversed, PetscReal *jacobian)
 {
@@ -135,11 +137,11 @@ static PetscErrorCode CellMinJacobian_Private(const BodyList *list, const SceneB
   if (reversed) CellReverse(type, order);
   for (PetscInt k = 0; k < ElementNumNodes(type); k++)
     PetscCall(PetscArraycpy(&Y[k * list->dim], &X[order[k] * list->dim], list->dim));
-  *jacobian = finite ? ElementMinJacobian(type, Y) : 1; // the level tells of what is not finite
+  *jacobian = finite ? ElementMinJacobian(type, Y) : 1; // the user error is that of the level's nodes
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the map turns more cells inside out than not. */
+/* Finds whether the map turns most cells inside out. */
 static PetscErrorCode TreeSetSense_Private(Tree *tree, const SceneBody *body)
 {
   PetscInt num = 0;
@@ -190,14 +192,15 @@ PetscErrorCode TreeDestroy(Tree *tree)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A cell in its parent: vertices of both as their elements list them, and those of the parent as the tree did. */
+/* A cell and its parent: vertices of both in the order of their elements, and those of the parent in the order of the
+   bisection. */
 typedef struct {
   const Bisection *mesh;
   PetscInt         cell;
   const PetscInt  *own, *parent, *before;
 } Child;
 
-/* Where a node of a child is in its parent's reference cell. [out] xi - [dim] */
+/* Reference coordinates of a node of a child in its parent. [out] xi - [dim] */
 static void ChildNodePlace_Private(const Child *child, ElementType type, PetscInt node, PetscReal xi[])
 {
   const Bisection  *mesh   = child->mesh;
@@ -218,7 +221,7 @@ static void ChildNodePlace_Private(const Child *child, ElementType type, PetscIn
   }
 }
 
-/* A node of a child on the polynomial of its parent, which is the same on all meshes. */
+/* Position of a node of a child, by the shape functions of its parent. */
 static void TreeSetNode_Private(const Tree *tree, const BodyList *old, PetscInt child, PetscInt node, BodyList *list)
 {
   const PetscInt    parent = tree->mesh.parent[child], dim = tree->mesh.dim;
@@ -236,7 +239,8 @@ static void TreeSetNode_Private(const Tree *tree, const BodyList *old, PetscInt 
   }
 }
 
-/* The list of the bisected mesh. Each cell of order 2 lists middle nodes of its own: the DM makes one of those that coincide. */
+/* Creates the list of the bisected mesh. Each cell of order 2 has middle nodes of its own; the DM joins those that
+   coincide. */
 static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList *list)
 {
   const Bisection *mesh = &tree->mesh;
@@ -277,7 +281,7 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks new cells that curves tangle. [out] marked - [num_cells]; [out] any - whether there are such cells */
+/* Marks new cells that are tangled. [out] marked - [num_cells]; [out] any - whether there are such cells */
 static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody *body, const BodyList *list,
                                               PetscInt marked[], PetscBool *any)
 {
@@ -299,7 +303,7 @@ static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A cell that is halved is nearer to a straight one. */
+/* Bisects tangled cells again: smaller cells of a curve are closer to straight ones. */
 static PetscErrorCode TreeUntangle_Private(Tree *tree, const SceneBody *body, BodyList *list)
 {
   PetscBool any = PETSC_TRUE;

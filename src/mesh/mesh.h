@@ -1,10 +1,12 @@
 /* mesh.h -- the one DMPlex of all bodies, its levels and their tables.
 
-   Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex whose
-   facets carry one label per named side that the scene uses; cells have a label "material" until the tables tell it. The DMPlex
-   keeps box coordinates; a body's map is applied to the node table of each level, so that nodes of curved sides stay on
-   them exactly. Nodes sit on points of the DMPlex: on vertices, and in bodies of order 2 also on edges, in quads and in
-   hexahedra. */
+   Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex. Boxes
+   and files of many cells are made in parts by all ranks (boxparts.c, fileparting.c). Facets have one label for each named
+   side that the scene uses. Cells have a label "material" until the tables have it.
+
+   The DMPlex keeps positions before the map of a body. The map is applied to the node table of each level, so that nodes
+   of curved sides stay on them exactly. Nodes sit on points of the DMPlex: on vertices; with order 2 also on edges, on
+   quadrilaterals and in hexahedra. */
 #ifndef MORTISE_MESH_H
 #define MORTISE_MESH_H
 
@@ -12,9 +14,8 @@
 #include "kernel/element.h"
 #include "scene/scene.h"
 
-/* Tables of one level on this rank. Cells are held by exactly one rank; nodes on rank boundaries by several, one of
-   which owns them. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node +
-   component. */
+/* Tables of one level on this rank. A cell is on exactly one rank; a node between ranks is on several, and one of them
+   owns it. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node + component. */
 typedef struct {
   MPI_Comm  comm;
   DM        dm;
@@ -25,21 +26,21 @@ typedef struct {
   PetscInt *cell_nodes;                      /* local nodes in the order of element.h, never inside out */
   PetscInt *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */
   PetscInt *cell_body;                       /* [num_cells] */
-  PetscInt *
-      cell_material; /* index of SceneGetMaterial(); the same array as cell_body where no body has regions [num_cells] */
+  /* Index of SceneGetMaterial() [num_cells]; the same array as cell_body where no body has regions. */
+  PetscInt  *cell_material;
   PetscReal *coords;       /* positions after the map [num_nodes][dim] */
   PetscInt  *node_global;  /* [num_nodes] */
   PetscInt  *node_body;    /* [num_nodes] */
-  Mat        prolongation; /* node values of the next coarser level to this one's (AIJ), NULL on the coarsest: its shape
-                              functions at the nodes of this one */
+  Mat        prolongation; /* from node values of the next coarser level (AIJ): its shape functions at the nodes of
+                              this one; NULL on the coarsest */
   PetscReal *unmapped; /* positions before the map, kept where a file gives curved cells [num_nodes][dim]; else NULL */
   PetscInt   point_begin, point_end; /* points of the DM that may carry nodes: the vertices alone, or all */
   PetscInt  *point_node;             /* local node of each, -1 where there is none [point_end - point_begin] */
   Scene      scene;                  /* borrowed */
 } Level;
 
-/* The facets of one side, or of several joined with '+', that this rank holds: boundary facets belong to one cell,
-   hence to one rank. */
+/* The facets of one side, or of several joined with '+', on this rank. A boundary facet belongs to one cell, hence to one
+   rank. */
 typedef struct {
   PetscInt     num;
   ElementType *type;  /* [num] */
@@ -48,18 +49,20 @@ typedef struct {
                       ElementSurface() outward: (dy,-dx) in 2D, anticlockwise seen from outside in 3D */
 } Facets;
 
-/* Unknowns up to which a factorization is chosen where a mesh has coarser levels. Seconds of one processor, factorization and multigrid.
-   In the plane: 116000 unknowns 1.3 and 1.7, 1050000 18 and 18; beyond some 200000 multigrid takes two thirds of the memory. An
-   adapted mesh has the levels of the mesh before: 29000 unknowns 0.3 and 0.3, 79000 0.9 and 0.4. In space: spherical gap, order 1,
-   22000 unknowns 0.9 and 1.0, 32000 1.5 and 1.3, order 2, 25000 1.6 and 2.2, 35000 2.9 and 2.7; sphere on block, 32000, 2.9 and 4.5. */
+/* Largest number of unknowns that are factored where a mesh has coarser levels; above, multigrid is chosen.
+   Measured on one processor, seconds of factorization and of multigrid:
+     plane: 116000 unknowns 1.3 and 1.7; 1050000 18 and 18; above 200000 multigrid takes two thirds of the memory;
+     plane, adaptive meshes: 29000 unknowns 0.3 and 0.3; 79000 0.9 and 0.4;
+     space, spherical gap: order 1, 22000 unknowns 0.9 and 1.0, 32000 1.5 and 1.3; order 2, 25000 1.6 and 2.2, 35000 2.9
+     and 2.7; sphere on block, 32000 unknowns 2.9 and 4.5. */
 enum { MESH_LEVELS_2D = 200000, MESH_LEVELS_2D_ADAPTED = 60000, MESH_LEVELS_3D = 36000 };
 
-/* Levels of a mesh that is adapted, at most. */
+/* Largest number of levels of an adaptive mesh. */
 enum { MESH_MAX_ADAPTED = 128 };
 
 struct _n_Mesh {
   Scene                 scene;      /* borrowed */
-  PetscInt              num_levels; /* those that boxes begin with by themselves, 1, common refinements */
+  PetscInt              num_levels; /* coarser ones of boxes (boxcoarsening.c), bodies as given, common refinements */
   PetscInt              own;    /* the level that is the scene's mesh with its -dm_refine; MeshRefine() adds others */
   Level                *levels; /* coarse first; the last one is the mesh that is solved on */
   struct _n_MeshForest *forest; /* private: cells that can be bisected; NULL without -adapt */
@@ -69,27 +72,29 @@ typedef struct _n_Mesh *Mesh;
 
 /* Creates an empty mesh for a scene, which must outlive it. Collective on the scene's comm. */
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
-/* Whether solvers want levels for a scene of so many unknowns. Not collective. */
-PetscBool MeshWantsLevels(Scene scene, PetscReal num_unknowns);
-/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Where solvers want levels, boxes begin with fewer
-   cells and more refinements than the options say; the levels from there on are the same but for the numbering. User errors: a file that cannot be read, a
-   side or region that does not exist (names those that do), a degenerate or tangled cell (names its place), a side
-   in two roles. Chooses roles of pairs left open, by THEORY.md, section 7 (writes nonmortar and mortar of the ScenePair).
-   Collective. */
+/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Where solvers use levels, boxes begin with
+   fewer cells and more refinements than the options say; the scene's own levels differ in their numbering only. Chooses
+   the nonmortar side of pairs whose options leave it open, by THEORY.md, section 7 (writes it to the ScenePair).
+   User errors: a file that cannot be read; a side or region that does not exist (names those that do); a degenerate or
+   tangled cell (names its place); a pair whose sides share facets; two pairs of the same facets. Collective. */
 PetscErrorCode MeshSetUp(Mesh mesh);
-/* Appends one more level, the finest one with every cell split; earlier pointers into mesh->levels are void then. User errors:
+/* Appends one level: the finest one with every cell split. Invalidates earlier pointers into mesh->levels. User errors:
    a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
-/* Appends one more level, and pointers into mesh->levels stay: marked cells of the finest one bisected dim times for each mark, others as often as that makes them hang. The same on any
-   number of ranks; parted anew. Cells that a map or a curve tangles are bisected again, three times at most. For meshes of scenes with
-   -adapt. User errors: a degenerate or tangled cell. Collective.
+/* Appends one level, with a new partition: marked cells of the finest one are bisected dim times for each mark, other
+   cells until no node hangs. Cells that a map or a curve tangles are bisected again. The mesh does not depend on the
+   number of ranks; pointers into mesh->levels stay valid. For meshes of scenes with -adapt. User errors: a degenerate or
+   tangled cell. Collective.
    [in] marked - how often the edges of this rank's cells are halved [num_cells] */
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[]);
-/* The same with all cells marked. */
+/* The same with all cells marked once. Collective. */
 PetscErrorCode MeshAdaptAll(Mesh mesh);
-/* Whether the quads or hexahedra of a body were cut into simplices, which alone can be bisected. Not collective. */
-PetscBool      MeshIsCut(Mesh mesh, PetscInt body);
-Level         *MeshFinest(Mesh mesh);
+/* Whether the quadrilaterals or hexahedra of a body were cut into simplices: only simplices can be bisected. Not
+   collective. */
+PetscBool MeshIsCut(Mesh mesh, PetscInt body);
+/* The level that is solved on. Not collective. Borrowed from the mesh */
+Level *MeshFinest(Mesh mesh);
+/* Collective. */
 PetscErrorCode MeshDestroy(Mesh *mesh);
 
 /* Facets of a body's side on a level. Collective. [out] facets - owned by the caller, FacetsDestroy() */
@@ -98,23 +103,25 @@ PetscErrorCode FacetsDestroy(Facets *facets);
 
 /* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order. Collective. */
 PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v);
-/* Sums (ADD_VALUES) or maximises (MAX_VALUES) what every rank holds in its ghosts into the owners, and sends the
-   result back. Collective. */
+/* Adds (ADD_VALUES) or maximises (MAX_VALUES) the values that ranks have for the same node at its owner, and sends the
+   result to its ghosts. Collective. */
 PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the
-   tables. Collective. */
+   tables. Collective. Owned by the caller. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
-/* Node values of one order to those of a higher one on the same mesh: two Meshes whose scenes differ in nothing but the one
-   order that all bodies have are of the same DMs, cut alike. Where orders are mixed, ranks share the unknowns out in another
-   way. Collective. [out] E - AIJ, owned by the caller */
+/* Interpolation from node values of one order to those of a higher one on the same cells. The two scenes differ in the
+   order of all bodies alone: then both have the same DMs and partition. Collective.
+   [out] E - AIJ, owned by the caller */
 PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E);
 
-/* Finds the cell of a body that holds a point, and the point's reference coordinates there. A point between a
-   straight facet and the curve that the body's map makes of it belongs to the facet's cell, a little outside of its
+/* Finds the cell of a body that contains a point, and the reference coordinates of the point in it. A point between a
+   straight facet and its curve by the body's map belongs to the cell of the facet; it is then slightly outside the
    reference cell. Collective.
-   [out] cell - local cell on the one rank that answers (lowest of those that hold it), -1 elsewhere
-   [out] found - on all ranks */
+   [in] x - the same on all ranks [dim]
+   [out] cell - local cell on the lowest rank that has one, -1 on all others
+   [out] xi - on that rank [dim]
+   [out] found - the same on all ranks */
 PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[],
                            PetscBool *found);
 

@@ -4,7 +4,6 @@
    mesh. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
-#include <string.h>
 
 /* Points of the union of the labels "<body>:<part>", sorted, without duplicates, on this rank. [out] is - owned by
    the caller */

@@ -5,7 +5,6 @@
    links: it starts at a node where no link ends, or anywhere if it is closed. Components start at the end
    that comes first by coordinates, and come in that order, so that the table does not depend on the
    partition. Arc length is that of the curved facets. */
-#include <string.h>
 #include "output/fieldwriter.h"
 #include "result/frictionfields.h"
 #include "result/sidenodes.h"

@@ -47,7 +47,7 @@ PetscErrorCode FileSetClose(FileSet *files, FILE **file);
 /* Renames all, or removes all after a failure, which becomes an error on all ranks. Collective; frees the lists. */
 PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files);
 
-/* Faults, naming the option, if path cannot be written: tries it, and leaves nothing behind. Collective. */
+/* User error, with the option: path cannot be written. Tries to write, and removes the file again. Collective. */
 PetscErrorCode FileSetCheck(MPI_Comm comm, const char option[], const char path[]);
 
 #endif

@@ -7,9 +7,8 @@
 
 #include "scene/scene.h"
 
-/* Faults if the scene wants a page and the companion cannot be started or lacks a library, so that nothing is
-   computed in vain; the first rank remembers what HTMLReportWrite() is to do. Does nothing without -report.
-   Collective. */
+/* With -report, prepares HTMLReportWrite() on the first rank. User error: the companion cannot be started, or lacks a library.
+   Call it before the solve, so that no work is lost. Collective. */
 PetscErrorCode HTMLReportCheck(Scene scene);
 /* There will be no page, if one was asked for; says so on stderr. Not collective: the first rank acts. [in]
    why - a sentence */

@@ -5,10 +5,10 @@
 #include "result/fields.h"
 #include "result/setupcheck.h"
 
-/* Faults if the output folder cannot be made or written to; call before the solve so that nothing is lost.
+/* User error: the output folder cannot be made or written to. Call it before the solve, so that no work is lost.
    Collective. */
 PetscErrorCode OutputCheck(Scene scene);
-/* FileSet of one result: written one after the other under temporary names, they appear together. */
+/* The files of one result. They are written under temporary names, and get their names together. */
 typedef struct _n_Output *Output;
 
 /* Collective. */

@@ -2,7 +2,6 @@
 
    Where regions meet, a node is several points with one displacement. */
 #include <hdf5.h>
-#include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "kernel/boxtree.h"

@@ -1,5 +1,4 @@
 /* resultwarnings.c -- warnings about a result. */
-#include <string.h>
 #include "base/compat.h"
 #include "output/summary.h"
 #include "base/warning.h"
@@ -13,31 +12,33 @@
 #include "output/numberwords.h"
 #include "output/setupwarnings.h"
 
-/* The discretisation error, as a part of the solution, above which a solver that stops there leaves nothing to read off. */
+/* A solver that stops at a discretisation error above this part of the solution gives useless numbers. */
 static const PetscReal COARSE = 0.1;
-/* An overlap is no accident above this part of the displacements, and what is left of a curve shows above this part of the overlap. */
+/* An initial overlap above this part of the displacements is an interference. The deviation of facets from their curves
+   matters above this part of the overlap. */
 static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
-/* The pressure where a partner ends is no outlier below this part of the largest elsewhere. */
+/* The pressure where a partner ends matters if it is above the largest pressure elsewhere by more than this part. */
 static const PetscReal EDGE_SHOWS = 0.1;
-
-/* A tie reaches across a gap as rigid links do: between shells, or where a body stands in the wrong place. Links longer than this part of the
-   tied side are told. */
+/* A tie across a gap acts as rigid links, intended between shells, else a sign of a body in the wrong position. Longest
+   links without a warning, as a part of the extent of the tied side. */
 static const PetscReal TIED_FAR = 0.05;
+/* Gaps and overlaps below this part of the reach are rounding of positions. */
+static const PetscReal ROUNDING = 1e-12;
 
-/* Tied sides that are apart, or overlap. Collective. */
+/* Warns of tied sides that are apart, or overlap. Collective. */
 static PetscErrorCode SummaryWarnTiedGap_Private(const SummaryInput *in, PetscInt p)
 {
   const Pair       pair = in->vi->pairs[p];
   const ScenePair *spec = pair->spec;
   const PetscInt   dim  = in->scene->dim;
-  PetscReal        most[7], extent = 0; // the longest link; upper ends of x and of -x
+  PetscReal        most[7], extent = 0; // the longest link; the largest components of x and of -x
   Warning          wide = {.code = "tied_gap",
                            .pair = spec->name,
                            .advice =
                       in->scene->adapt.on
-                                   ? "check the positions of the bodies; if the links are meant, errors fall slowly, because "
-                                     "their couple ends at the ends of the tie as a concentrated force"
-                                   : "check the positions of the bodies, unless the links are meant"};
+                                   ? "check the positions of the bodies; if the links are intended, errors fall slowly, because "
+                                     "the links exert concentrated forces at the ends of the tie"
+                                   : "check the positions of the bodies, unless the links are intended"};
 
   PetscFunctionBeginUser;
   if (spec->type != PAIR_TIED || spec->gap || spec->gap_offset) PetscFunctionReturn(PETSC_SUCCESS);
@@ -60,7 +61,7 @@ static PetscErrorCode SummaryWarnTiedGap_Private(const SummaryInput *in, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where contact pushes as if bodies overlapped that do not; nothing where that does not show. */
+/* Warns of a gap that jumps or bends within a facet, if that changes the pressure visibly. Collective. */
 static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec = in->vi->pairs[p]->spec;
@@ -83,7 +84,7 @@ static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest pressure at a node around which the partner covers facets in part: there it may have no limit. */
+/* Warns of a largest pressure at a node whose facets the partner covers in part: there it may be unbounded. Collective. */
 static PetscErrorCode SummaryWarnEdgePressure_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec = in->vi->pairs[p]->spec;
@@ -109,8 +110,8 @@ static PetscErrorCode SummaryWarnEdgePressure_Private(const SummaryInput *in, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Contact a few facets wide: what it does to the pressure, and what would mend it. [out] told - whether it is; round - whether of sides
-   without corners, whose gaps cannot jump or bend but for the size of facets */
+/* Warns of contact a few facets wide. Collective. [out] told - whether there is such; [out] round - whether its sides are
+   smooth: then the gap jumps or bends only because facets are large */
 static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, PetscInt p, PetscBool *told,
                                                        PetscBool *round)
 {
@@ -145,8 +146,8 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What bodies overlap by to begin with where a pair's nodes are in contact, and the largest displacement of its nodes along their
-   normals: of all ranks. */
+/* The largest initial overlap at the nodes of a pair, and the largest displacement of these nodes along their normals. Collective.
+   [out] size - these two lengths, the same on all ranks */
 static PetscErrorCode SummaryFindOverlap_Private(const SummaryInput *in, PetscInt p, PetscReal size[2])
 {
   const Pair         pair = in->vi->pairs[p];
@@ -168,7 +169,7 @@ static PetscErrorCode SummaryFindOverlap_Private(const SummaryInput *in, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* An interference of the order of what is left between facets and the curves that they stand for. */
+/* Warns of an interference that is not large beside the deviation of facets from their curves. Collective. */
 static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, PetscInt p)
 {
   const Pair       pair  = in->vi->pairs[p];
@@ -191,14 +192,14 @@ static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Friction that is lost because a support holds the nonmortar side along a mortar side that may slide. */
+/* Warns of lost friction, where a support fixes the nonmortar side along a mortar side that is free. Collective. */
 static PetscErrorCode SummaryWarnHeldFriction_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec = in->vi->pairs[p]->spec;
   Warning          held = {.code   = "held_friction",
                            .pair   = spec->name,
                            .dim    = in->scene->dim,
-                           .advice = "exchange nonmortar and mortar side, or hold the body elsewhere"};
+                           .advice = "exchange nonmortar and mortar side, or support the body elsewhere"};
   PetscInt         num;
   char             at[128];
 
@@ -214,7 +215,7 @@ static PetscErrorCode SummaryWarnHeldFriction_Private(const SummaryInput *in, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A pair that has nothing to say. */
+/* Warns of a pair without multipliers. */
 static PetscErrorCode SummaryWarnEmptyPair_Private(const SummaryInput *in, PetscInt p)
 {
   const Pair       pair = in->vi->pairs[p];
@@ -241,7 +242,7 @@ static PetscErrorCode SummaryWarnEmptyPair_Private(const SummaryInput *in, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A solver that stops at a discretisation error that is no small part of the solution. */
+/* Warns of a solver that stopped at a large discretisation error. */
 static PetscErrorCode SummaryWarnCoarseMesh_Private(const SummaryInput *in)
 {
   const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or omit -stop discretisation"};
@@ -256,7 +257,7 @@ static PetscErrorCode SummaryWarnCoarseMesh_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A second solver that has found nothing. */
+/* Warns of a second solver that has not converged. */
 static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
 {
   const Warning alone = {.code   = "not_confirmed",
@@ -270,7 +271,7 @@ static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Friction so large that another solution may be near. */
+/* Warns of a coefficient of friction so large that another solution may be near. */
 static PetscErrorCode SummaryWarnNotUnique_Private(const SummaryInput *in)
 {
   const PetscReal rho = in->report->friction.rho;
@@ -285,7 +286,7 @@ static PetscErrorCode SummaryWarnNotUnique_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* With -check: what a solve would end with. */
+/* Warns, with -check, that loads are not balanced: a solve would end with exit code 2. */
 static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
 {
   const Solvability s = in->solvability;
@@ -299,7 +300,7 @@ static PetscErrorCode SummaryWarnUnbalanced_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a formula depends on the place: then it may vanish where bodies touch. */
+/* Whether a formula depends on the position: then it may vanish where bodies touch. */
 static PetscBool SummaryVariesInSpace_Private(Expression value)
 {
   static const char *const coordinates[] = {"x", "y", "z", "r"};
@@ -309,7 +310,7 @@ static PetscBool SummaryVariesInSpace_Private(Expression value)
   return PETSC_FALSE;
 }
 
-/* Uniform loads on a side that takes part in contact: they act where the partner presses, too, which is rarely meant. */
+/* Warns of uniform loads on a side of a pair: they act under the partner as well, which is rarely intended. */
 static PetscErrorCode SummaryWarnLoadedSide_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec    = in->vi->pairs[p]->spec;
@@ -332,10 +333,7 @@ static PetscErrorCode SummaryWarnLoadedSide_Private(const SummaryInput *in, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gaps and overlaps below this part of the reach are rounding of positions. */
-static const PetscReal ROUNDING = 1e-12;
-
-/* Whether nothing moves anything: no load, no displacement, no overlap. Collective. */
+/* Whether there is no load, no given displacement and no overlap. Collective. */
 static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool *rest)
 {
   const FrictionLaw *law = in->vi->friction;
@@ -345,7 +343,7 @@ static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool 
   PetscFunctionBeginUser;
   PetscCall(VecNorm(in->vi->f, NORM_INFINITY, &force));
   for (PetscInt i = 0; law && i < FRICTION_TANGENTS * law->n; i++)
-    loaded = (PetscBool)(loaded || law->origin[i] != 0); // friction holds what an earlier load step has pressed
+    loaded = (PetscBool)(loaded || law->origin[i] != 0); // friction resists the slip of earlier load steps
   for (PetscInt p = 0; p < in->vi->num_pairs; p++) {
     const Pair pair = in->vi->pairs[p];
 
@@ -356,7 +354,8 @@ static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A partner that enters a side between its nodes, none of which it touches. Collective. [out] hidden - whether there was one */
+/* Warns of a partner that overlaps a facet between its nodes and touches no node. Collective. [out] hidden - whether there
+   is such a pair */
 static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBool *hidden)
 {
   Estimate estimate;
@@ -387,7 +386,7 @@ static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBoo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A scene in which nothing happens, or a pair that never meets; load steps tell so at their end. Collective. */
+/* Warns of a scene without loads, or of a pair without contact; of load steps, at the last one. Collective. */
 static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
 {
   const SceneSteps *steps = &in->scene->steps;

@@ -30,8 +30,8 @@ static PetscErrorCode CouplingsAddProduct_Private(Mat *A, PetscReal a, Mat B, Ma
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The shifts of all pairs at once: a facet in several of them has the same in each. NULL where there is none.
-   [in] inverse - the unshifts instead */
+/* Joins the quadratic basis transformations of all pairs; a facet in several pairs has the same one in each.
+   [in] inverse - joins the inverse ones instead; [out] shift - owned by the caller, NULL where there is none */
 static PetscErrorCode CouplingsUniteTransformations_Private(VI vi, PetscBool inverse, Mat *shift)
 {
   const PetscInt n = vi->level->num_owned, begin = vi->level->node_begin;
@@ -85,7 +85,7 @@ static PetscErrorCode CouplingsExpand_Private(VI vi, Mat shift, Mat *expanded)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* record = (D + chain) S^-1 - D - M. */
+/* record = (D + D_other) S^-1 - D - M. */
 static PetscErrorCode CouplingsCreateKKT_Private(const Pair pair, Mat *record)
 {
   Mat          moved;
@@ -109,8 +109,8 @@ static PetscErrorCode CouplingsCreateKKT_Private(const Pair pair, Mat *record)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* basis = (D + record) S - D. On the pair's own side, if that is shifted, S^-1 S = I: there D and the chain stay what they are.
-   Else the nodes with multipliers are not shifted, so that D S = D. */
+/* basis = (D + record) S - D. If the pair's own side is transformed, S^-1 S = I there, and D and D_other stay as they are. Else
+   S is the identity at the nodes with multipliers, and D S = D. */
 static PetscErrorCode CouplingsCreateBasis_Private(const Pair pair, Mat shift, Mat *basis)
 {
   Mat other = NULL;
@@ -125,7 +125,7 @@ static PetscErrorCode CouplingsCreateBasis_Private(const Pair pair, Mat shift, M
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Entries of a row of a shift; none where it is NULL. */
+/* Number of entries of a row of a transformation; 0 where it is NULL. */
 static PetscErrorCode CouplingsCountTransformation_Private(Mat shift, PetscInt row, PetscInt *num)
 {
   PetscFunctionBeginUser;
@@ -136,8 +136,8 @@ static PetscErrorCode CouplingsCountTransformation_Private(Mat shift, PetscInt r
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a node that this rank owns carries a multiplier of one pair and is shifted by another in its own way, which the number
-   of nodes that shift it tells: none, the two ends, or these and the node itself. */
+/* Whether a node of this rank has a multiplier of one pair and a different transformation by another. The number of nodes in
+   its row of the transformation tells these apart: none, the two ends, or the two ends and the node. [out] torn */
 static PetscErrorCode CouplingsIsInconsistent_Private(const Pair pair, const Pair other, PetscBool *torn)
 {
   PetscInt num, num_own;
@@ -154,7 +154,7 @@ static PetscErrorCode CouplingsIsInconsistent_Private(const Pair pair, const Pai
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults if two pairs on one side want the displacement in the middle of a facet to be an unknown in different ways. */
+/* User error: two pairs on one side need different unknowns at the middle of a facet. Collective. */
 static PetscErrorCode CouplingsCheckConsistent_Private(VI vi)
 {
   const PetscInt none  = vi->num_pairs * vi->num_pairs;

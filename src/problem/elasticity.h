@@ -15,9 +15,9 @@ PetscBool ElasticityHookeIsConstant(Scene scene, PetscInt material);
 /* The rules that the stiffness is integrated with. Not collective. [out] rules - of every type of cell [ELEMENT_COUNT]; PetscFree() it */
 PetscErrorCode ElasticityRulesCreate(Scene scene, ElementRule **rules);
 
-/* How cell c takes its changes of volume, judged by the largest Poisson's ratio at the points of its rule, which is given
-   back (NAN where none restrains: anisotropic bodies, plane stress). DILATATION_LOCKS is a fault of ElasticityAssemble(). Not
-   collective. */
+/* How cell c computes its change of volume, from the largest Poisson's ratio at the points of its rule. With DILATATION_LOCKS,
+   ElasticityAssemble() raises a user error. Not collective.
+   [out] poisson - that ratio, NAN where it does not matter: anisotropic bodies, plane stress */
 PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,
                                         DilatationKind *kind, PetscReal *poisson);
 /* Pi of cell c (eq. 9.1); num = 0 where theta is div u. Not collective. */
@@ -33,9 +33,10 @@ typedef struct {
 /* Collective. [out] counts - [num_bodies], the same on all ranks */
 PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, DilatationCount counts[]);
 
-/* K = int B'CB,  f = int phi b + int_side phi t, times the thickness; in cells with a Dilatation, K is the second derivative
-   of the energy that has theta in place of div u. Faults on moduli that are not positive definite at some point, or that lock
-   the cells they are given. Collective. [out] K - StiffnessCreate(), owned by the caller; NULL for f alone; [out] f - ghosted Vec, owned by the caller */
+/* K = int B'CB,  f = int phi b + int_side phi t, times the thickness. In cells with a Dilatation, K is the second derivative
+   of the energy with theta in place of div u. User errors: moduli that are not positive definite at some point; moduli with
+   which cells lock. Collective.
+   [out] K - StiffnessCreate(), owned by the caller; NULL for f alone; [out] f - ghosted, owned by the caller */
 PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f);
 
 /* energy_b = (1/2) u'K u over the nodes of body b (K does not couple bodies). Collective.

@@ -61,8 +61,10 @@ struct _n_VI {
 };
 typedef struct _n_VI *VI;
 
-/* Searches, integrates, assembles and condenses. Roles that run in a circle are a fault. Collective. [out] vi - owned by the caller */
+/* Searches, integrates, assembles and condenses. User errors: nonmortar sides that depend on each other in a cycle; those of
+   PairsCreate() and ElasticityAssemble(). Collective. [out] vi - owned by the caller */
 PetscErrorCode VICreate(Scene scene, Mesh mesh, VI *vi);
+/* Collective. */
 PetscErrorCode VIDestroy(VI *vi);
 /* The same scene on the finest level of its mesh, with the scales of a vi on a coarser one. Collective. [out] fine - owned by the caller */
 PetscErrorCode VICreateFiner(VI vi, VI *fine);

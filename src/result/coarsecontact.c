@@ -1,9 +1,10 @@
-/* coarsecontact.c -- patches of contact that end inside a side after a few facets.
+/* coarsecontact.c -- contact patches that are a few facets wide.
 
-   There the width is known to a facet, and so is the largest pressure, which at a given force is as 1 to the width; the mean gap of a
-   node may lie below every gap around it (gapdiscontinuity.h), for the same reason. A patch that ends with both sides is another
-   matter: contact of a flat side is exact on one facet. At the edge of a punch, beyond which the partner goes on, the pressure has no limit,
-   whatever the mesh; but at the right angle of a body that is softer by far the exponent is so small that it does not show (wedge.h). */
+   A patch that ends inside the sides has a width that is known to one facet. So is its largest pressure, which at a given
+   force is inversely proportional to the width. For the same reason the mean gap of a node may lie below every gap around
+   it (gapdiscontinuity.h). A patch that ends where both sides end has a known width: contact of a flat side is exact on
+   one facet. At the edge of a punch on a larger partner the pressure is unbounded, on any mesh. But if the punch is much
+   softer and has a right angle there, the exponent is too small to matter (wedge.h). */
 #include <math.h>
 #include "base/compat.h"
 #include "kernel/vector.h"
@@ -13,34 +14,32 @@
 #include "result/pairsum.h"
 #include "mesh/sidemeasure.h"
 
-/* Patches of no more nodes across are coarse. */
+/* Patches of at most so many nodes across are coarse. */
 static const PetscReal FEW = 3.25;
-/* Facets across the half width a that are advised: a node stands for the mean of the pressure around it, which is h^2 / (12 a^2) below
-   the top of Hertz's ellipse, 0.1 % at eight; and a is known to h / 2, so that the pressure of a given force is right to 6 %. */
+/* Advised number of facets across the half width a. The pressure of a node is a mean around it, which is h^2 / (12 a^2)
+   below the maximum of Hertz's ellipse: 0.1 % with eight facets. The half width is known to h / 2: then the largest pressure
+   of a given force is right to 6 %. */
 static const PetscReal ADVISED = 8;
 /* Directions nearer than 45 degrees to the narrow axis of a patch are across it. */
 static const PetscReal ACROSS = 0.70710678118654752;
-/* A side is larger by more than this part of a facet: curved sides that end together differ by less. */
+/* The mortar side is larger if it is so by more than this part of a facet. Curved sides that end together differ by less. */
 static const PetscReal BEYOND_PART = 0.1;
-/* A pressure r^-e at an edge does not show below this e: cells smaller by ten halvings raise it by less than a tenth, 2^(10 e) < 1.1. */
+/* Largest exponent e of a pressure r^-e at an edge that does not matter: ten halvings of the cells raise the pressure by
+   less than a tenth, 2^(10 e) < 1.1. */
 static const PetscReal EXPONENT_SHOWS = 0.01375;
-/* The turn of the facets around a node that is none, as a part of their edges. */
+/* The vector of CoarseContactFindEnds_Private() that counts as zero, relative to the length of edges. */
 static const PetscReal CLOSED = 1e-6;
-/* Roundoff of a force relative to the stiffness times the displacements: bodies that have left each other. */
+/* Largest roundoff of a force, relative to the stiffness times the displacements: the force of bodies without contact. */
 static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
-enum {
-  IS_INNER,
-  IS_EDGE,
-  IS_PARTNERS,
-  IS_MIRRORED,
-  ANGLE,
-  NUM_ENDS
-};                                   /* how the patch ends, across its narrow axis; largest angle of an edge */
+/* How a patch ends across its narrow axis: inside the nonmortar side, at an edge of that, at the end of the partner, at a
+   plane of symmetry; and the largest angle of the nonmortar body at its edges. */
+enum { IS_INNER, IS_EDGE, IS_PARTNERS, IS_MIRRORED, ANGLE, NUM_ENDS };
 enum { NODE_IN = 1, NODE_OUT = -1 }; /* in the patch; open, with a multiplier */
 
-/* In the patch or open, of local nodes. Collective. [out] marks - ghosted */
+/* Marks nodes with NODE_IN, NODE_OUT or 0. Collective. [in] at - index of the patch; [out] marks - ghosted, owned by the
+   caller */
 static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const ContactPatches *patches, PetscInt at,
                                                 Vec *marks)
 {
@@ -61,8 +60,9 @@ static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* At each vertex of a side the way from the first to the last of its neighbours round it, 0 where the facets close; in a plane the
-   sum of the ways to its neighbours by the sense of facets. Collective. [out] ways - ghosted, dim per node */
+/* A vector at each vertex of a side that is 0 where facets surround the vertex. At the boundary of the side it leads in
+   space from the first to the last neighbour on the boundary; in a plane it is 1 or -1. Collective. [out] ways - ghosted,
+   dim per node, owned by the caller */
 static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *facets, Vec *ways)
 {
   const PetscInt dim = level->dim;
@@ -90,7 +90,8 @@ static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Angle of a cell at a corner, in space half the solid angle: summed over the cells at an edge, its angle. */
+/* Angle of a cell at a vertex, in space half its solid angle. The sum over the cells at a vertex of a straight edge is the
+   angle of the edge. */
 static PetscReal CoarseContactCornerAngle_Private(const Level *level, ElementType linear, const PetscInt nodes[],
                                                   PetscInt corner)
 {
@@ -115,7 +116,7 @@ static PetscReal CoarseContactCornerAngle_Private(const Level *level, ElementTyp
                                       VectorDot(dim, e[0], e[2]) * length[1] + VectorDot(dim, e[1], e[2]) * length[0]);
 }
 
-/* Angle of the body at its vertices. Collective. [out] angles - ghosted */
+/* Angle of the body at its vertices. Collective. [out] angles - ghosted, one per node, owned by the caller */
 static PetscErrorCode CoarseContactFindAngles_Private(Level *level, PetscInt body, Vec *angles)
 {
   PetscScalar *angle;
@@ -138,8 +139,8 @@ static PetscErrorCode CoarseContactFindAngles_Private(Level *level, PetscInt bod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How a vertex of the patch ends it. [in] way - of CoarseContactFindEnds_Private(); angle - of CoarseContactFindAngles_Private();
-   patch - of the vertex; [in,out] ends */
+/* Adds how a vertex of the patch ends it. [in] way - of CoarseContactFindEnds_Private(); [in] angle - of
+   CoarseContactFindAngles_Private(); [in,out] ends - [NUM_ENDS] */
 static void CoarseContactAddVertex_Private(const Support *support, PetscInt node, const PetscScalar way[],
                                            PetscReal angle, const ContactPatch *patch, PetscReal ends[])
 {
@@ -164,7 +165,7 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
   if (!mirrored) ends[ANGLE] = PetscMax(ends[ANGLE], angle);
 }
 
-/* How the patch ends. Collective. [out] ends - 1 or 0 [NUM_ENDS] */
+/* How the patch ends. Collective. [out] ends - 1 or 0, and the angle [NUM_ENDS] */
 static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Vec marks, const ContactPatch *patch,
                                                    PetscReal ends[])
 {
@@ -221,8 +222,8 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the mortar side is larger than the nonmortar side, and goes on beyond an end of that, where the pressure grows without limit.
-   With friction it always may. Collective. [in] angle - of the nonmortar body at this end */
+/* Whether the mortar side continues beyond the end of the nonmortar side, so that the pressure there is unbounded. Without
+   friction the angle must be large enough for that. Collective. [in] angle - of the nonmortar body at this end */
 static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *spec, PetscReal angle,
                                                   PetscBool *goes_on)
 {
@@ -270,7 +271,7 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
     if (ends[IS_EDGE] > 0 && !(ends[IS_PARTNERS] > 0))
       PetscCall(CoarseContactGoesOn_Private(fields->vi, fields->vi->pairs[p]->spec, ends[ANGLE], &goes_on));
     found->shows = (PetscBool)((ends[IS_INNER] > 0 || goes_on) && found->facets * order <= FEW);
-    for (PetscInt k = 0; k < 3; k++) // a zero that sums have left is told as one
+    for (PetscInt k = 0; k < 3; k++) // roundoff becomes 0
       found->at[k] =
           PetscAbsReal(patch->centre[k]) > PETSC_SQRT_MACHINE_EPSILON * patch->extent[across] ? patch->centre[k] : 0;
   }

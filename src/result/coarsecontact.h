@@ -4,16 +4,16 @@
 
 #include "result/fields.h"
 
-/* Of the patch of contact that has the largest pressure of a pair; the same on all ranks. */
+/* The contact patch with the largest pressure of a pair; the same on all ranks. */
 typedef struct {
-  PetscBool shows;  /* it is a few facets wide, and ends inside the side or where the partner goes on */
-  PetscBool edge;   /* it reaches an edge of a body as well: the pressure there has no limit */
-  PetscReal facets; /* its width in facets of the nonmortar side, with what symmetry adds */
-  PetscReal size;   /* of facets that would resolve it, as far as its width is known */
+  PetscBool shows;  /* it is a few facets wide, and ends inside the side or where the partner continues */
+  PetscBool edge;   /* it reaches an edge of a body as well: the pressure there is unbounded */
+  PetscReal facets; /* its width in facets of the nonmortar side; at a plane of symmetry, of both halves */
+  PetscReal size;   /* length of facets that would resolve it, as far as its width is known */
   PetscReal at[3];  /* its centre */
 } CoarseContact;
 
-/* Contact that ends with both sides is as exact as the mesh and does not show, nor does a tie. Collective. */
+/* Judges the patch of pair p. Contact that ends where both sides end is not coarse, nor is a tie. Collective. */
 PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found);
 
 #endif

@@ -62,7 +62,7 @@ static PetscErrorCode ErrorsCheckNode_Private(VI vi, PetscInt i, const PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Faults where an exact pressure is not finite at a node that is to have it. */
+/* User error: an exact pressure is not finite at a node of its side. Collective. */
 static PetscErrorCode ErrorsCheckPressure_Private(const Pair pair)
 {
   const Level *level = pair->level;

@@ -28,10 +28,10 @@ typedef struct {
   BodyError      total; /* of all bodies together; NAN unless all of them have an exact displacement */
 } Errors;
 
-/* Faults if an exact displacement contradicts the given ones, or an exact solution is not finite at a node;
-   call before the solve, so that no time is lost. Collective. */
+/* User errors: an exact displacement that contradicts the given ones; an exact solution that is not finite at a node. Call it
+   before the solve, so that no work is lost. Collective. */
 PetscErrorCode ErrorsCheck(VI vi);
-/* Faults if an exact solution is not finite where it is evaluated. Collective.
+/* Computes the errors. User error: an exact solution is not finite at a quadrature point. Collective.
    [out] errors - owned by the caller, ErrorsDestroy() */
 PetscErrorCode ErrorsCompute(Fields fields, Errors *errors);
 PetscErrorCode ErrorsDestroy(Errors *errors);

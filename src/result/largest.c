@@ -1,7 +1,6 @@
 /* largest.c -- the largest of many values with its place, and quantiles by a histogram. */
 #include "result/largest.h"
 #include "base/compat.h"
-#include <math.h>
 
 /* Values that differ by less than this part have the same place told on any number of ranks: the first by
    coordinates. */

@@ -4,7 +4,7 @@
 
 #include "result/errors.h"
 
-/* Norms of the error of pair p, whose exact pressure is known. Faults where that is not finite. Collective. */
+/* Norms of the error of pair p, whose exact pressure is known. User error: that is not finite. Collective. */
 PetscErrorCode PressureErrorCompute(Fields fields, PetscInt p, PressureError *error);
 
 #endif

@@ -8,7 +8,6 @@
 #include "base/warning.h"
 #include "contact/deformedgap.h"
 #include "kernel/vector.h"
-#include "problem/elasticity.h"
 #include "result/contactpatches.h"
 #include "result/largest.h"
 #include "result/slip.h"

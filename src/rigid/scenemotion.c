@@ -1,5 +1,4 @@
 /* scenemotion.c -- rigid motions as axes, angles and sentences. */
-#include <math.h>
 #include <string.h>
 #include "base/compat.h"
 #include "kernel/vector.h"

@@ -3,7 +3,6 @@
    A region has its own value where its option is given, else that of its body. Both read the same option then, so that each material has
    expressions of its own. */
 #include "scene/sceneparts.h"
-#include <math.h>
 
 /* A constant Hooke matrix counts as singular below this ratio of its eigenvalues: a thousand roundings. */
 static const PetscReal DEFINITE = 1000 * PETSC_MACHINE_EPSILON;

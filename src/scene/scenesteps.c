@@ -3,7 +3,6 @@
 #include "base/warning.h"
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { STEPS_MOST = 100000 }; /* more is a mistake, and would fill the disk */
 

@@ -1,6 +1,5 @@
 /* sceneunits.c -- names of the units of length, force, stress and temperature, which label results. Numbers are never converted. */
 #include "scene/sceneparts.h"
-#include <math.h>
 #include <string.h>
 
 enum {

@@ -4,7 +4,6 @@
    and b. If the first solver used multigrid, the second does as well, on the same levels, starting from the
    coarsest. Levels affect the speed of convergence, not the limit. */
 #include "base/compat.h"
-#include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "solve/solverimpl.h"
 

@@ -1,7 +1,6 @@
 /* dualsolve.c -- linear problems with the matrix of an inequality and its final active set. */
 #include "base/compat.h"
 #include "base/log.h"
-#include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "solve/dualsolve.h"
 #include "solve/linearreference.h"

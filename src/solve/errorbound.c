@@ -20,7 +20,6 @@
    conjugate gradients estimate |d|_A^2 by f.B f / alpha. */
 #include "base/compat.h"
 #include "kernel/vector.h"
-#include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "problem/frictionlaw.h"
 #include "solve/errorbound.h"

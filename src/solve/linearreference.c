@@ -4,7 +4,6 @@
    The set is read from the solution, so it does not depend on the method. The system is solved from zero with
    nothing kept: no factors, no levels, no initial guess. */
 #include "base/compat.h"
-#include "pdas/pdas.h"
 #include "pdas/pdasimpl.h"
 #include "solve/linearreference.h"
 

@@ -9,7 +9,6 @@
 #include "solve/errorbound.h"
 #include "solve/nestediteration.h"
 #include "pdas/factorization.h"
-#include "multigrid/multigrid.h"
 #include "solve/linearreference.h"
 #include "solve/discretizationstop.h"
 
