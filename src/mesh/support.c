@@ -17,27 +17,50 @@ static const PetscReal AxisCosine = 1e-9; /* smaller components of a side's norm
 static const PetscReal Contradiction =
     1e-8; /* between two values for one direction, over the largest value of the scene */
 
+/* A direction as a boundary gives it. */
+typedef struct {
+  PetscInt  node, boundary;
+  PetscReal direction[3];
+} GivenDirection;
+
 /* What is gathered while boundary after boundary is read. */
 typedef struct {
-  Scene      scene;
-  Level     *level;
-  Support   *support;
-  PetscInt  *sides;          /* the boundary of each direction [num_nodes][dim] */
-  PetscReal *given;          /* the directions as boundaries give them [num_nodes][dim][dim] */
-  Vec        flags;          /* 1 on nodes of the present side */
-  PetscReal  mismatch;       /* largest contradiction on this rank ... */
-  PetscInt   node, boundary; /* ... and where: the local node, and the boundary that came second */
+  Scene           scene;
+  Level          *level;
+  Support        *support;
+  GivenDirection *given; /* boundary by boundary [num_given] */
+  PetscInt        num_given, max_given;
+  Vec             flags;          /* 1 on nodes of the present side */
+  PetscReal       mismatch;       /* largest contradiction on this rank ... */
+  PetscInt        node, boundary; /* ... and where: the local node, and the boundary that came second */
 } Gather;
 
+/* Remembers a direction for the split of reactions. */
+static PetscErrorCode GatherKeep_Private(Gather *gather, PetscInt node, PetscInt boundary, const PetscReal direction[])
+{
+  GivenDirection *given;
+
+  PetscFunctionBeginUser;
+  if (gather->num_given == gather->max_given) {
+    gather->max_given = 2 * gather->max_given + 64;
+    PetscCall(PetscRealloc(sizeof(*gather->given) * gather->max_given, &gather->given));
+  }
+  given  = &gather->given[gather->num_given++];
+  *given = (GivenDirection){.node = node, .boundary = boundary};
+  PetscCall(PetscArraycpy(given->direction, direction, gather->support->dim));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Adds the condition direction . u = value at a node by Gram-Schmidt; one that is implied already is only compared. */
-static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary, const PetscReal direction[],
-                               PetscReal value)
+static PetscErrorCode GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary, const PetscReal direction[],
+                                         PetscReal value)
 {
   Support       *support = gather->support;
   const PetscInt dim     = support->dim;
   PetscReal     *Q = &support->directions[node * dim * dim], *values = &support->values[node * dim], r[3], rest = value,
             length;
 
+  PetscFunctionBeginUser;
   support->max_value = PetscMax(support->max_value, PetscAbsReal(value));
   for (PetscInt d = 0; d < dim; d++) r[d] = direction[d];
   for (PetscInt k = 0; k < support->count[node]; k++) {
@@ -53,13 +76,14 @@ static void GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary,
       gather->node     = node;
       gather->boundary = boundary;
     }
-    return;
+    if (boundary != BOUNDARY_AXIS) PetscCall(GatherKeep_Private(gather, node, boundary, direction));
+    PetscFunctionReturn(PETSC_SUCCESS);
   }
-  gather->sides[node * dim + support->count[node]] = boundary;
-  for (PetscInt d = 0; d < dim; d++) gather->given[(node * dim + support->count[node]) * dim + d] = direction[d];
+  PetscCall(GatherKeep_Private(gather, node, boundary, direction));
   for (PetscInt d = 0; d < dim; d++) Q[support->count[node] * dim + d] = r[d] / length;
   values[support->count[node]++] = rest / length;
   if (support->side[node] == BOUNDARY_NONE) support->side[node] = boundary;
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Flags the nodes of a side on all ranks that hold them. [out] local - form of gather->flags, to be restored by the
@@ -104,7 +128,7 @@ static PetscErrorCode GatherDisplacement_Private(Gather *gather, PetscInt body, 
       PetscReal axis[3] = {0, 0, 0};
 
       axis[d] = 1;
-      if (!ExpressionIsFree(boundary->value, d)) GatherHold_Private(gather, node, b, axis, value[d]);
+      if (!ExpressionIsFree(boundary->value, d)) PetscCall(GatherHold_Private(gather, node, b, axis, value[d]));
     }
   }
   PetscCall(VecRestoreArrayRead(local, &flag));
@@ -209,7 +233,7 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
     PetscCall(GatherFlagSide_Private(gather, body, names.name[s], &local));
     PetscCall(VecGetArrayRead(local, &flag));
     for (PetscInt node = 0; node < gather->level->num_nodes; node++) {
-      if (PetscRealPart(flag[node]) != 0) GatherHold_Private(gather, node, b, n, 0);
+      if (PetscRealPart(flag[node]) != 0) PetscCall(GatherHold_Private(gather, node, b, n, 0));
     }
     PetscCall(VecRestoreArrayRead(local, &flag));
     PetscCall(VecGhostRestoreLocalForm(gather->flags, &local));
@@ -220,15 +244,17 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
 
 /* A ring does not move off its axis: e_r . u = 0 at nodes on it. They are told by their position, which is
    exact (LevelSetAxis). */
-static void GatherAxis_Private(Gather *gather)
+static PetscErrorCode GatherAxis_Private(Gather *gather)
 {
   const PetscInt  dim       = gather->level->dim;
   const PetscReal radius[3] = {1, 0, 0};
 
-  if (gather->scene->model != MODEL_AXISYMMETRIC) return;
+  PetscFunctionBeginUser;
+  if (gather->scene->model != MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt node = 0; node < gather->level->num_nodes; node++) {
-    if (gather->level->coords[node * dim] == 0) GatherHold_Private(gather, node, BOUNDARY_AXIS, radius, 0);
+    if (gather->level->coords[node * dim] == 0) PetscCall(GatherHold_Private(gather, node, BOUNDARY_AXIS, radius, 0));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* How a sentence names a boundary of a body. */
@@ -310,50 +336,110 @@ static void SupportFinish_Private(const Level *level, Support *support)
   }
 }
 
-/* Whether more than one boundary fixes a node. */
-static PetscBool GatherIsShared_Private(const Gather *gather, PetscInt node)
+/* Adds a direction to those that a boundary fixes at a node, unless it does so already. */
+static void SharedSideAdd_Private(SharedSide *side, PetscInt dim, const PetscReal direction[])
 {
-  const PetscInt *sides = &gather->sides[node * gather->support->dim];
+  PetscReal r[3] = {0, 0, 0}, length;
 
-  for (PetscInt k = 1; k < gather->support->count[node]; k++)
-    if (sides[k] != sides[0]) return PETSC_TRUE;
-  return PETSC_FALSE;
+  for (PetscInt d = 0; d < dim; d++) r[d] = direction[d];
+  for (PetscInt k = 0; k < side->count; k++) {
+    const PetscReal dot = VectorDot(dim, side->direction[k], direction);
+
+    for (PetscInt d = 0; d < dim; d++) r[d] -= dot * side->direction[k][d];
+  }
+  length = VectorNorm(dim, r);
+  if (length <= ParallelSine) return;
+  for (PetscInt d = 0; d < dim; d++) side->direction[side->count][d] = r[d] / length;
+  side->count++;
+}
+
+/* Takes one node. [in] given - its directions, boundary by boundary [num]; [in,out] sides - where those of the node begin; their end */
+static void GatherSharedNode_Private(const Gather *gather, PetscInt num, const GivenDirection *given[],
+                                     SharedSide **sides)
+{
+  Support    *support = gather->support;
+  SharedNode *shared  = &support->shared[support->num_shared];
+  SharedSide *side    = *sides;
+  PetscInt    count   = 0;
+
+  if (!num || given[0]->boundary == given[num - 1]->boundary) return;
+  *shared = (SharedNode){.node = given[0]->node, .side = side};
+  for (PetscInt i = 0; i < num; i++) {
+    if (!shared->num || side[shared->num - 1].boundary != given[i]->boundary)
+      side[shared->num++] = (SharedSide){.boundary = given[i]->boundary};
+    SharedSideAdd_Private(&side[shared->num - 1], support->dim, given[i]->direction);
+  }
+  for (PetscInt i = 0; i < shared->num; i++) count += side[i].count;
+  shared->ambiguous = (PetscBool)(count > support->count[shared->node]);
+  support->num_shared++;
+  *sides += shared->num;
 }
 
 /* Keeps the directions of nodes that several boundaries fix. */
 static PetscErrorCode GatherShared_Private(const Gather *gather)
 {
-  Support       *support = gather->support;
-  const PetscInt dim = support->dim, num = gather->level->num_nodes;
+  Support               *support = gather->support;
+  const PetscInt         num     = gather->level->num_nodes;
+  const GivenDirection **sorted;
+  SharedSide            *next;
+  PetscInt              *start;
 
   PetscFunctionBeginUser;
   support->num_shared = 0;
-  for (PetscInt node = 0; node < num; node++) support->num_shared += GatherIsShared_Private(gather, node);
-  PetscCall(PetscCalloc1(support->num_shared, &support->shared));
-  for (PetscInt node = 0, i = 0; node < num; node++) {
-    SharedNode *shared = &support->shared[i];
-
-    if (!GatherIsShared_Private(gather, node)) continue;
-    shared->node = node;
-    i++;
-    for (PetscInt k = 0; k < support->count[node]; k++) {
-      shared->side[k] = gather->sides[node * dim + k];
-      PetscCall(PetscArraycpy(shared->direction[k], &gather->given[(node * dim + k) * dim], dim));
-    }
-  }
+  PetscCall(PetscCalloc2(num + 2, &start, gather->num_given, &sorted));
+  for (PetscInt i = 0; i < gather->num_given; i++) start[gather->given[i].node + 2]++;
+  for (PetscInt node = 0; node < num; node++) start[node + 2] += start[node + 1];
+  for (PetscInt i = 0; i < gather->num_given; i++) sorted[start[gather->given[i].node + 1]++] = &gather->given[i];
+  PetscCall(PetscMalloc2(gather->num_given, &support->shared, gather->num_given, &support->sides));
+  next = support->sides;
+  for (PetscInt node = 0; node < num; node++)
+    GatherSharedNode_Private(gather, start[node + 1] - start[node], &sorted[start[node]], &next);
+  PetscCall(PetscFree2(start, sorted));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The part of a vector in the directions of a side. */
+static void SharedSideProject_Private(const SharedSide *side, PetscInt dim, const PetscReal v[], PetscReal part[])
+{
+  for (PetscInt d = 0; d < dim; d++) part[d] = 0;
+  for (PetscInt k = 0; k < side->count; k++) {
+    const PetscReal dot = VectorDot(dim, side->direction[k], v);
+
+    for (PetscInt d = 0; d < dim; d++) part[d] += dot * side->direction[k][d];
+  }
 }
 
 void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[])
 {
-  const PetscInt dim = support->dim, count = support->count[shared->node];
-  PetscReal      G[9]; // independent by more than ParallelSine, so it has its digits
+  const PetscInt   dim = support->dim, count = support->count[shared->node];
+  const PetscReal *Q    = &support->directions[shared->node * dim * dim]; // its first ones are a basis
+  PetscReal        S[9] = {0}, rest[3], in_frame[3] = {0, 0, 0}, mu[3] = {0, 0, 0};
 
-  for (PetscInt i = 0; i < count; i++) {
-    parts[i] = VectorDot(dim, shared->direction[i], force);
-    for (PetscInt j = 0; j < count; j++) G[i * count + j] = VectorDot(dim, shared->direction[i], shared->direction[j]);
+  for (PetscInt d = 0; d < dim; d++) rest[d] = force[d];
+  for (PetscInt i = 0; i < shared->num; i++) {
+    PetscReal projected[3];
+
+    SharedSideProject_Private(&shared->side[i], dim, &parts[i * dim], projected);
+    for (PetscInt d = 0; d < dim; d++) {
+      parts[i * dim + d] = projected[d];
+      rest[d] -= projected[d];
+    }
+    for (PetscInt k = 0; k < count; k++) {
+      SharedSideProject_Private(&shared->side[i], dim, &Q[k * dim], projected);
+      for (PetscInt l = 0; l < count; l++) S[k * count + l] += VectorDot(dim, &Q[l * dim], projected);
+    }
   }
-  if (DenseCholesky(count, G)) DenseCholeskySolve(count, G, parts);
+  for (PetscInt k = 0; k < count; k++) in_frame[k] = VectorDot(dim, &Q[k * dim], rest);
+  if (DenseCholesky(count, S)) DenseCholeskySolve(count, S, in_frame); // sides differ by more than ParallelSine
+  for (PetscInt k = 0; k < count; k++) {
+    for (PetscInt d = 0; d < dim; d++) mu[d] += in_frame[k] * Q[k * dim + d];
+  }
+  for (PetscInt i = 0; i < shared->num; i++) {
+    PetscReal correction[3];
+
+    SharedSideProject_Private(&shared->side[i], dim, mu, correction);
+    for (PetscInt d = 0; d < dim; d++) parts[i * dim + d] += correction[d];
+  }
 }
 
 /* Boundary by boundary in the order typed, so that `side` names the first; contradictions are judged when the
@@ -368,7 +454,6 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
   support->max_value = 0;
   PetscCall(PetscCalloc4(num, &support->count, num, &support->side, num * dim * dim, &support->directions, num * dim,
                          &support->values));
-  PetscCall(PetscMalloc2(num * dim, &gather.sides, num * dim * dim, &gather.given));
   for (PetscInt i = 0; i < num; i++) support->side[i] = BOUNDARY_NONE;
   PetscCall(LevelCreateVec(level, 1, &gather.flags));
   for (PetscInt body = 0; body < scene->num_bodies; body++) {
@@ -379,11 +464,11 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
       if (kind == BOUNDARY_NORMAL) PetscCall(GatherNormal_Private(&gather, body, b));
     }
   }
-  GatherAxis_Private(&gather);
+  PetscCall(GatherAxis_Private(&gather));
   PetscCall(VecDestroy(&gather.flags));
   PetscCall(GatherCheck_Private(&gather));
   PetscCall(GatherShared_Private(&gather));
-  PetscCall(PetscFree2(gather.sides, gather.given));
+  PetscCall(PetscFree(gather.given));
   SupportFinish_Private(level, support);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -399,7 +484,7 @@ PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support)
 PetscErrorCode SupportDestroy(Support *support)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree(support->shared));
+  PetscCall(PetscFree2(support->shared, support->sides));
   PetscCall(PetscFree4(support->count, support->side, support->directions, support->values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

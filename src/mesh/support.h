@@ -13,11 +13,18 @@ enum {
   BOUNDARY_AXIS = -2  /* fixed by the axis of an axisymmetric scene alone: no radial displacement */
 };
 
-/* A node that several boundaries fix: each direction as its boundary gives it, orthogonal to the others or not. */
+/* What one boundary fixes at a node. */
 typedef struct {
-  PetscInt  node;
-  PetscInt  side[3];         /* boundaries within the body, BOUNDARY_AXIS [count] */
-  PetscReal direction[3][3]; /* unit, independent [count][dim] */
+  PetscInt  boundary; /* within the body, BOUNDARY_AXIS where nothing else fixes the radius */
+  PetscInt  count;
+  PetscReal direction[3][3]; /* orthonormal [count][dim] */
+} SharedSide;
+
+/* A node that several boundaries fix. */
+typedef struct {
+  PetscInt          node, num;
+  const SharedSide *side;      /* [num] */
+  PetscBool         ambiguous; /* whether two of them fix the same direction */
 } SharedNode;
 
 typedef struct {
@@ -28,6 +35,7 @@ typedef struct {
   PetscInt  *side; /* index of the boundary (within the body) that holds the node first, or one of these [num_nodes] */
   PetscInt   num_shared;
   SharedNode *shared;    /* by ascending local node [num_shared] */
+  SharedSide *sides;     /* of all shared nodes */
   PetscReal   max_value; /* largest |value| of all ranks */
 } Support;
 
@@ -36,9 +44,9 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
 /* The values of the present time, for the same directions. Collective. */
 PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
-/* Splits the force of a shared node among its boundaries: f = sum_k c_k d_k. [in] force - in the span of its
-   directions [dim];
-   [out] parts - c_k [support->count] */
+/* Splits the force of a shared node among its boundaries, f = sum_i f_i with f_i in the directions that boundary i fixes, as near
+   to what is expected of each as the sum allows.
+   [in] force - in the span of its directions [dim]; [in,out] parts - expected ones; f_i [shared->num][dim] */
 void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[]);
 
 #endif

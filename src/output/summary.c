@@ -12,6 +12,7 @@
 #include "result/frictionfields.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
+#include "result/reactions.h"
 #include "base/compat.h"
 #include "base/warning.h"
 #include "output/bodycounts.h"
@@ -256,53 +257,16 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the force of a node to the sides that fix it; of a shared node each takes its directions, so that
-   sides add up to the whole.
-   [in] shared - of the node, or NULL; [in,out] sums - of the body's sides [num_boundaries][dim] */
-static void SummaryAddReaction_Private(const Support *support, PetscInt node, const SharedNode *shared,
-                                       const PetscReal force[], PetscReal sums[])
-{
-  const PetscInt dim = support->dim, side = support->side[node];
-  PetscReal      parts[3];
-
-  for (PetscInt k = 0; k < dim && !shared; k++) sums[side * dim + k] += force[k];
-  if (!shared) return;
-  SupportSplitForce(support, shared, force, parts);
-  for (PetscInt i = 0; i < support->count[node]; i++) {
-    if (shared->side[i] < 0) continue;
-    for (PetscInt k = 0; k < dim; k++) sums[shared->side[i] * dim + k] += parts[i] * shared->direction[i][k];
-  }
-}
-
 /* Reactions by side. */
 static PetscErrorCode SummaryAddReactions_Private(const SummaryInput *in, cJSON *root)
 {
-  cJSON           *reactions = cJSON_AddObjectToObject(root, "reactions");
-  const Level     *level     = in->vi->level;
-  const Support   *support   = &in->vi->support;
-  const PetscInt   dim       = level->dim;
-  PetscInt        *start, num = 0, at = 0;
-  PetscReal       *sums;
-  const PetscReal *values;
+  cJSON         *reactions = cJSON_AddObjectToObject(root, "reactions");
+  const PetscInt dim       = in->scene->dim;
+  PetscReal     *sums, *next;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(in->scene->num_bodies + 1, &start));
-  for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
-    start[b] = num;
-    num += in->scene->bodies[b].num_boundaries;
-  }
-  PetscCall(PetscCalloc1(num * dim + 1, &sums));
-  for (PetscInt i = 0; i < num * dim && !in->fields; i++) sums[i] = NAN;
-  if (in->fields) PetscCall(VecGetArrayRead(in->reactions, &values));
-  for (PetscInt a = 0; a < level->num_owned && in->fields; a++) {
-    while (at < support->num_shared && support->shared[at].node < a) at++;
-    if (support->side[a] < 0) continue;
-    SummaryAddReaction_Private(support, a,
-                               at < support->num_shared && support->shared[at].node == a ? &support->shared[at] : NULL,
-                               &values[a * dim], &sums[start[level->node_body[a]] * dim]);
-  }
-  if (in->fields) PetscCall(VecRestoreArrayRead(in->reactions, &values));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(num * dim), MPIU_REAL, MPI_SUM, level->comm));
+  PetscCall(ReactionsCreate(in->scene, in->fields, in->reactions, &sums));
+  next = sums;
   for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     const SceneBody *body = &in->scene->bodies[b];
 
@@ -312,11 +276,11 @@ static PetscErrorCode SummaryAddReactions_Private(const SummaryInput *in, cJSON 
 
       if (kind != BOUNDARY_DISPLACEMENT && kind != BOUNDARY_NORMAL) continue;
       PetscCall(PetscSNPrintf(key, sizeof(key), "%s:%s", body->name, body->boundaries[i].side));
-      JSONAddReals(reactions, key, dim, &sums[(start[b] + i) * dim]);
+      JSONAddReals(reactions, key, dim, &next[i * dim]);
     }
+    next += body->num_boundaries * dim;
   }
   PetscCall(PetscFree(sums));
-  PetscCall(PetscFree(start));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
