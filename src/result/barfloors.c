@@ -94,7 +94,7 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
   if (peak) floors->pressure = PetscMax(floors->pressure, LOCAL_FACTOR * difference);
   if (!open || !closed) return;
   ContactFacetCoordinates(level, facets, f, X);
-  floors->edge = PetscMax(floors->edge, 2 * ContactFacetSize(level->dim, facets->type[f], X));
+  floors->edge = PetscMax(floors->edge, ContactFacetSize(level->dim, facets->type[f], X));
   floors->area += BarFloorsGetArea_Private(level->scene, facets->type[f], X) / 2;
 }
 

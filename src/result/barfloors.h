@@ -7,7 +7,7 @@
 /* Of one pair. */
 typedef struct {
   PetscReal pressure; /* 3 max |lambda_a + n.s* n| over the facets around the node of largest pressure */
-  PetscReal edge;     /* twice the largest facet that contact ends on */
+  PetscReal edge;     /* size of the largest facet that contact ends on */
   PetscReal area;     /* half the area of those facets */
 } PairFloors;
 

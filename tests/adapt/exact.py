@@ -14,3 +14,4 @@ def judge(run):
     near("force", summary["pairs"]["joint"]["normal_force"], 2e6 / 3, absolute=summary["bars"]["pairs"]["joint"]["normal_force"])
     near("largest pressure", summary["pairs"]["joint"]["max_pressure"], 1e6, absolute=summary["bars"]["pairs"]["joint"]["max_pressure"])
     near("end of contact", summary["pairs"]["joint"]["extent"]["upper"][0], 0, absolute=summary["bars"]["pairs"]["joint"]["extent"]["upper"][0])
+    require(summary["bars"]["pairs"]["joint"]["extent"]["upper"][0] <= 1.9 / 128 * 1.001, "the end of contact is not known to one facet")

@@ -75,14 +75,14 @@ def leaves(tree):
         yield tree
 
 
-def judge_digits(page, bars):
+def judge_digits(page, bars, others):
     """What is read is what the machine reads, rounded; only beside larger ones in its row a number may be read as 0. Error bars are
-    rounded up, and have the rounding of their value in them."""
+    rounded up, and have the rounding of their value in them. A number may be the value of a bar by chance, as a place on a mesh is."""
     for row in page.rows:
         largest = max(map(abs, row["numbers"]), default=0.0)
         for value, shown in zip(row["numbers"], row["read"]):
             near_by, allowed = read(shown)
-            if value in bars:
+            if value in bars and not (value in others and abs(near_by - value) <= 1.001 * allowed):
                 require(value <= near_by <= value + 3.001 * allowed, f"the error bar {value} is read as {shown}")
                 continue
             require(abs(near_by - value) <= (1e-12 * largest if shown == "0" else 1.001 * allowed), f"{value} is read as {shown}")
@@ -206,7 +206,7 @@ def judge(run):
     judge_pictures(page, 1 + len(run.summary["pairs"]) + ("study" in run.summary))
     judge_numbers(page, run.summary)
     judge_digits(page, [quantity["uncertainty"] for quantity in run.summary.get("study", {}).get("richardson", {}).values()]
-                 + list(leaves(run.summary.get("bars") or {})))
+                 + list(leaves(run.summary.get("bars") or {})), set(leaves(run.summary["pairs"])))
     if "study" in run.summary:
         judge_study(page, run.summary["study"])
         return
