@@ -44,7 +44,10 @@ static const PetscReal CLIP_NEWTON_STEP = 1e-12;
 
 enum { NEWTON_MAX_STEPS = 20 };
 
-ClipFacet ClipFacetFrom(PetscInt dim, const PetscReal origin[], const ClipFacet *facet, PetscReal X[])
+/* A facet relative to an origin. If that is a node of the facet, points in a plane across an axis stay in it exactly, at any distance
+   from the origin of coordinates, and gaps have the digits of differences of coordinates. [in] origin - [dim]; [out] X - nodes of
+   the result [num_nodes][dim] */
+static ClipFacet ClipFacetFrom_Private(PetscInt dim, const PetscReal origin[], const ClipFacet *facet, PetscReal X[])
 {
   for (PetscInt i = 0; i < dim * ElementNumNodes(facet->type); i++) X[i] = facet->X[i] - origin[i % dim];
   return (ClipFacet){facet->type, X, facet->N};
@@ -173,8 +176,8 @@ static PetscBool ClipIsPiece_Private(const ClipFacet *nonmortar, const ClipFacet
 PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt num_gauss, ClipPoint points[])
 {
   PetscReal       cuts[MAX_CUTS], X[2 * ELEMENT_MAX_FACET_NODES], Y[2 * ELEMENT_MAX_FACET_NODES];
-  const ClipFacet own        = ClipFacetFrom(2, nonmortar->X, nonmortar, X);
-  const ClipFacet other      = ClipFacetFrom(2, nonmortar->X, mortar, Y);
+  const ClipFacet own        = ClipFacetFrom_Private(2, nonmortar->X, nonmortar, X);
+  const ClipFacet other      = ClipFacetFrom_Private(2, nonmortar->X, mortar, Y);
   const PetscInt  num_cuts   = ClipFindCuts_Private(&own, &other, cuts);
   PetscInt        num_points = 0;
 
@@ -190,8 +193,8 @@ PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt
 static PetscInt ClipLineCorners_Private(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[])
 {
   PetscReal       cuts[MAX_CUTS], X[2 * ELEMENT_MAX_FACET_NODES], Y[2 * ELEMENT_MAX_FACET_NODES];
-  const ClipFacet own      = ClipFacetFrom(2, nonmortar->X, nonmortar, X);
-  const ClipFacet other    = ClipFacetFrom(2, nonmortar->X, mortar, Y);
+  const ClipFacet own      = ClipFacetFrom_Private(2, nonmortar->X, nonmortar, X);
+  const ClipFacet other    = ClipFacetFrom_Private(2, nonmortar->X, mortar, Y);
   const PetscInt  num_cuts = ClipFindCuts_Private(&own, &other, cuts);
   PetscInt        num      = 0;
 
@@ -348,9 +351,10 @@ static PetscInt ClipPolygonCorners_Private(const ClipFacet *nonmortar, const Cli
 {
   PetscReal       P[2 * POLYGON_MAX_VERTICES], X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
   PetscInt        num  = 0;
-  const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
-  FacetPlane      plane;
-  FacetPolygon    own, other;
+  const ClipFacet near = ClipFacetFrom_Private(3, nonmortar->X, nonmortar, X),
+                  far  = ClipFacetFrom_Private(3, nonmortar->X, mortar, Y);
+  FacetPlane   plane;
+  FacetPolygon own, other;
 
   if (!ClipProjectFacets_Private(&near, &far, &plane, &own, &other)) return 0;
   for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
@@ -370,7 +374,8 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
   PetscBool       enough;
   FacetPlane      plane;
   FacetPolygon    own, other;
-  const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
+  const ClipFacet near = ClipFacetFrom_Private(3, nonmortar->X, nonmortar, X),
+                  far  = ClipFacetFrom_Private(3, nonmortar->X, mortar, Y);
 
   if (!ClipProjectFacets_Private(&near, &far, &plane, &own, &other)) return 0;
   num_rule = QuadratureRule(ELEMENT_TRI3, degree, xi, w);
@@ -418,7 +423,8 @@ PetscBool ClipSees(const ClipFacet *nonmortar, const ClipFacet *mortar, const Pe
   PetscReal       X[3 * ELEMENT_MAX_FACET_NODES], Y[3 * ELEMENT_MAX_FACET_NODES];
   FacetPlane      plane;
   FacetPolygon    other;
-  const ClipFacet near = ClipFacetFrom(3, nonmortar->X, nonmortar, X), far = ClipFacetFrom(3, nonmortar->X, mortar, Y);
+  const ClipFacet near = ClipFacetFrom_Private(3, nonmortar->X, nonmortar, X),
+                  far  = ClipFacetFrom_Private(3, nonmortar->X, mortar, Y);
 
   FacetPolygonSetPlane(&near, &plane);
   FacetPolygonProject(&plane, &far, &other);

@@ -40,10 +40,6 @@ typedef struct {
   const PetscReal *N; /* unit normals at them [num_nodes][dim]; not needed of a mortar facet */
 } ClipFacet;
 
-/* A facet as seen from a point. Seen from a node of its own, what lies in one plane across an axis does so to the last bit, however far
-   from the origin, and a gap has the digits that differences of coordinates have. [in] origin - [dim]; [out] X - of the copy */
-ClipFacet ClipFacetFrom(PetscInt dim, const PetscReal origin[], const ClipFacet *facet, PetscReal X[]);
-
 /* Quadrature points of the overlap of two line facets, piece by piece along the nonmortar one, num_gauss on each;
    returns their number, 0 where the facets do not overlap. The pieces over a chain of mortar facets share their ends
    exactly. Components shorter than 1e-12 of the facet are skipped. Mortar ends run opposite to the nonmortar ends on facing

@@ -363,7 +363,8 @@ static PetscErrorCode ValiditySetHomogeneous_Private(Fields fields, Validity v)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ValidityGet(Fields fields, Validity *validity)
+/* The indicators, which are computed once for each solution. Collective. [out] validity - borrowed from the fields */
+static PetscErrorCode ValidityGet_Private(Fields fields, Validity *validity)
 {
   const VI  vi = fields->vi;
   Largest   largest[VALIDITY_COUNT];
@@ -414,7 +415,7 @@ PetscErrorCode ValidityWarn(Fields fields)
   Validity                 v;
 
   PetscFunctionBeginUser;
-  PetscCall(ValidityGet(fields, &v));
+  PetscCall(ValidityGet_Private(fields, &v));
   if (v->worst < VALIDITY_AMBER) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 1; k < VALIDITY_COUNT; k++) {
     if (v->indicator[k].colour == VALIDITY_UNKNOWN) continue;
@@ -442,7 +443,7 @@ PetscErrorCode ValidityAdd(Fields fields, cJSON *root)
   Validity v = NULL;
 
   PetscFunctionBeginUser;
-  if (fields) PetscCall(ValidityGet(fields, &v));
+  if (fields) PetscCall(ValidityGet_Private(fields, &v));
   for (PetscInt k = 0; k < VALIDITY_COUNT; k++) {
     cJSON          *item  = cJSON_AddObjectToObject(all, KINDS[k].name);
     const PetscBool known = (PetscBool)(v && v->indicator[k].colour != VALIDITY_UNKNOWN);

@@ -40,11 +40,9 @@ struct _n_Validity {
 };
 typedef struct _n_Validity *Validity;
 
-/* Measured once for each solution. Collective. [out] validity - borrowed from the fields */
-PetscErrorCode ValidityGet(Fields fields, Validity *validity);
-/* The warning "model_limit" unless all is green. Collective. */
+/* Warns "model_limit" unless all indicators are green. Collective. */
 PetscErrorCode ValidityWarn(Fields fields);
-/* The object "validity" of the summary. Collective. [in] fields - NULL if there is no solution */
+/* Adds the object "validity" of the summary. Collective. [in] fields - NULL if there is no solution */
 PetscErrorCode ValidityAdd(Fields fields, cJSON *root);
 
 #endif
