@@ -23,11 +23,12 @@ struct _n_VIBasis {
   Couplings couplings;
 };
 
-/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R turns, E adds what the mortar side does. The powers end with the
-   longest chain of pairs, whose roles must not run in a circle (circles.h). NULL where T = I. Collective. */
+/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R rotates, E adds the displacement of the mortar side. The number of
+   powers is the longest sequence of pairs that depend on each other, without cycles (cyclicroles.h). NULL where T = I. Collective.
+   [out] T - owned by the caller */
 PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
 
-/* Global unknowns y_i that held directions and ties fix, with their values in the user's unit. Collective.
+/* Global unknowns y_i that fixed directions and ties fix, with their values in the user's unit. Collective.
    [out] dofs, values - [*num], owned by the caller */
 PetscErrorCode BasisChangeGetFixed(VI vi, const NodeBases *bases, const Couplings *couplings, PetscInt *num,
                                    PetscInt **dofs, PetscReal **values);

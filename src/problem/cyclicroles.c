@@ -1,8 +1,8 @@
 /* cyclicroles.c -- cyclic dependencies of roles in the graph of the pairs.
 
-   Pair p leads to pair q if a multiplier node of p meets, on its mortar side, a node that carries a multiplier of q. A node
-   that leads back to its own pair would be defined by itself. Whether powers of the coupling fade says less: three bodies
-   round one point may run in a circle there, and still have powers that fade slowly. */
+   Pair p depends on pair q if a row of p has, on its mortar side, a node with a multiplier of q. In a cycle, the displacement of a
+   node would be determined by itself. The powers of the coupling do not show this: at a point that three bodies share they may
+   decrease slowly. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "problem/cyclicroles.h"
@@ -57,7 +57,7 @@ static void CyclicRolesCloseTransitively_Private(PetscInt n, PetscBool leads[])
   }
 }
 
-/* Names the pairs that come back to themselves. */
+/* Raises the user error for the pairs that depend on themselves. */
 static PetscErrorCode CyclicRolesRaise_Private(VI vi, const PetscBool leads[])
 {
   const PetscInt n          = vi->num_pairs;
@@ -72,8 +72,8 @@ static PetscErrorCode CyclicRolesRaise_Private(VI vi, const PetscBool leads[])
   if (!names[0]) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(UserErrorRaise(
       vi->level->comm,
-      "the roles of the pairs %s run in a circle (each nonmortar side meets a mortar side that is nonmortar in the "
-      "next pair); swap -<pair>_nonmortar and -<pair>_mortar of one of them",
+      "the pairs %s depend on each other in a cycle (each nonmortar side meets a mortar side that is nonmortar in the "
+      "next pair); exchange -<pair>_nonmortar and -<pair>_mortar of one of them",
       names));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

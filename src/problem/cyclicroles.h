@@ -4,8 +4,8 @@
 
 #include "problem/vi.h"
 
-/* Faults with the names of the pairs if, from mortar side to mortar side, a pair comes back to itself: its
-   nodes would follow nodes that follow them. Pairs exist. Collective. */
+/* User error, with the names of the pairs: pairs depend on each other in a cycle, from mortar side to mortar side. Call it after
+   PairsCreate(). Collective. */
 PetscErrorCode CyclicRolesCheck(VI vi);
 
 #endif
