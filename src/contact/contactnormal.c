@@ -1,8 +1,8 @@
 /* contactnormal.c -- the direction of contact at nodes of the nonmortar side.
 
-   To first order, the distance of a point from a surface changes along the normal of that surface, not of the point's own body. Rows
-   along a round body's own normals fan out and hold it sideways, as a notch would. So the partner's normal and curvature are
-   looked up below the node, and the two bodies share the direction by their curvatures. */
+   To first order, the distance of a point from a surface changes along the normal of that surface, not along the normal of the
+   point's own body. Rows along the own normals of a round body would resist its motion along the partner. So the direction is
+   between the normals of both bodies, by their curvatures. */
 #include "kernel/closest.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -12,14 +12,14 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* A node whose normal has a cosine up to this with the facet takes part, although it does not face it: the facet beside it may be covered,
-   and must not twist. */
+/* Largest cosine between the normals of a node and of a facet that gives it a direction. It is larger than FACING, so that
+   directions do not change abruptly within a facet that is covered in part. */
 static const PetscReal BESIDE = 0.5;
-/* Distances from the normal of a facet's end count so many times. */
+/* Factor of the part of a squared distance that is beyond the ends of a facet. */
 static const PetscReal ASIDE = 100;
 /* Parallel surfaces are taken up to this share of the way to a centre of curvature. */
 static const PetscReal LEAST_SCALE = 0.1;
-/* Places on a reference cell that differ by less are the same. */
+/* Points of a reference cell that differ by less are the same. */
 static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 
 /* Cubes around a point grow by this factor. */
@@ -59,8 +59,8 @@ static void ContactNormalMortarShape_Private(const MortarSurface *mortar, PetscI
   }
 }
 
-/* The point of a facet whose normal, between those of the nodes, leads through x: from there to x it goes through the centre of a circle or
-   a ball, however far chords are from it. Returns the squared distance, enlarged where the facet ends before that point.
+/* The point of a facet whose interpolated normal passes through x. On circles and balls the line from there to x passes through the
+   centre, for facets of any length. Returns the squared distance, enlarged where the facet ends before that point.
    [in,out] eta - begins at the nearest point */
 static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
                                                    const PetscReal x[], PetscReal eta[], SurfacePoint *at)
@@ -86,8 +86,8 @@ static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, 
   return square + ASIDE * PetscMax(0, square - along * along);
 }
 
-/* How far x is above the smooth surface through a facet's nodes, along the normal at the foot: the surface itself is above the facet by
-   1/2 sum phi_i d_i.S d_i, d_i from the foot to the nodes. */
+/* Height of x above the smooth surface through a facet's nodes, along the normal at the foot point. The surface is above the facet by
+   1/2 sum phi_i d_i.S d_i, with d_i from the foot point to the nodes. */
 static PetscReal ContactNormalHeightOver_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
                                                  const PetscReal x[], const PetscReal eta[], const SurfacePoint *at)
 {
@@ -106,7 +106,7 @@ static PetscReal ContactNormalHeightOver_Private(const MortarSurface *mortar, Pe
   return height;
 }
 
-/* The curvature of the parallel surface that lies above by a height: S (1 + height S)^-1 in the tangent plane. */
+/* The curvature of the parallel surface at a height: S (1 + height S)^-1 in the tangent plane. */
 static void ContactNormalToParallel_Private(PetscInt dim, PetscReal height, SurfacePoint *at)
 {
   PetscReal trace = 0, square = 0, product, scale;
@@ -125,7 +125,7 @@ static void ContactNormalToParallel_Private(PetscInt dim, PetscReal height, Surf
   }
 }
 
-/* The shape of a facet below a point, among those whose boxes meet a cube around it. */
+/* The mortar facet next to a point, and its shape there. */
 typedef struct {
   PetscInt     facet;   /* -1 where there is none */
   PetscBool    faces;   /* whether it faces the point */
@@ -134,7 +134,8 @@ typedef struct {
   SurfacePoint at;
 } FacetBelow;
 
-/* Facets that face the point are preferred to those that hardly do. Not collective. [in] n - normal at the point; [in] radius - of the cube */
+/* Finds the nearest facet among those whose boxes meet a cube around the point. Facets that face the point are preferred. Not
+   collective. [in] n - normal at the point; [in] radius - of the cube */
 static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partner, const PetscReal x[],
                                                       const PetscReal n[], PetscReal radius, FacetBelow *below)
 {
@@ -171,9 +172,9 @@ static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The shape of the mortar side below a point, as that of the parallel surface through it: then centres of circles and balls are where they
-   are. Cubes grow until all that is nearer is within them. Not collective. [in] n - normal at the point; [in] size - of a facet there;
-   [out] found - whether there are facets within reach */
+/* The shape of the mortar side next to a point, as that of the parallel surface through it: centres of circles and balls stay the
+   same. Cubes grow until they contain all nearer facets. Not collective. [in] n - normal at the point; [in] size - of a facet
+   there; [out] found - whether there are facets within reach */
 static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
                                                       const PetscReal n[], PetscReal size, SurfacePoint *at,
                                                       PetscBool *found)
@@ -258,9 +259,9 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Directions at nodes that face no partner within reach: the mean of those at the other nodes of their facets, which must not twist
-   where the partner is in reach of a part of them; else their own normals. Collective. [in] own - ghosted;
-   [in,out] normals - directions, zero where there is none */
+/* Sets directions at nodes that face no partner within reach: the mean of those at the other nodes of their facets, so that directions
+   change little within a facet; without such nodes, their own normals. Collective. [in] own - ghosted; [in,out] normals -
+   directions, zero where there is none */
 static PetscErrorCode ContactNormalSetBeyond_Private(Level *level, const Facets *facets, Vec own, Vec normals)
 {
   const PetscInt     dim = level->dim;

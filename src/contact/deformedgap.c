@@ -1,8 +1,7 @@
 /* deformedgap.c -- a pair in the deformed configuration.
 
-   A pair is searched and integrated as ever, with nodes where the displacement takes them. Displacements are linear on facets of first
-   order: the curves over them (eq. 4.5) are carried along with their bulges, and curvatures stay. Taken anew, both would be those of the
-   polygon of the displacement. */
+   The pair is searched and integrated with displaced nodes. Displacements are linear on facets of first order. So the curves
+   over them (eq. 4.5) keep their bulges, and curvatures stay the same; computed anew, both would be those of the polygon. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
@@ -11,7 +10,7 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Turns unit normals of a facet's patch as the facet itself turns. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
+/* Rotates unit normals of a facet as the facet itself rotates. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
 static void DeformedGapTurnNormals_Private(PetscInt dim, PetscInt n, const PetscReal before[], const PetscReal after[],
                                            PetscReal normals[])
 {
@@ -49,7 +48,7 @@ PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Carries facets with a displacement: places, normals, tree. Collective. [in] u - dim per node */
+/* Moves facets by a displacement: positions, normals, tree. Collective. [in] u - dim per node */
 static PetscErrorCode DeformedGapMove_Private(const Level *level, Vec u, MortarSurface *surface)
 {
   const PetscInt dim = level->dim;

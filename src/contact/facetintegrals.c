@@ -11,7 +11,7 @@
 #include "contact/overlap.h"
 #include "contact/smoothgap.h"
 
-/* Share of a facet that is nothing, or all. */
+/* Share of a facet that counts as nothing; one less it counts as all. */
 static const PetscReal NOTHING = 1e-9;
 
 enum { START_COLUMNS = 16 }; /* first size of the list of mortar nodes */
@@ -61,7 +61,7 @@ static PetscErrorCode FacetIntegralGapAt_Private(const FacetPartner *partner, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What the weights of a facet's points become in this scene: those of the ring that a point stands for. */
+/* Multiplies the weights of a facet's points by the length of their rings, in axisymmetric scenes. */
 static void FacetIntegralWeighPoints_Private(const FacetPartner *partner, const ClipFacet *facet, OverlapPoints *list)
 {
   PetscReal phi[ELEMENT_MAX_NODES], x[3];
@@ -123,7 +123,7 @@ static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipF
   }
 }
 
-/* D, M, G and what couples with nodes that carry no multiplier, from the collected points. */
+/* Integrates D, M, G and D_other from the collected points. */
 static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                      OverlapPoints *list, FacetIntegral *integral)
 {

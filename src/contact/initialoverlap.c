@@ -1,18 +1,18 @@
 /* initialoverlap.c -- bodies that initially overlap by more than the search radius.
 
-   Rays that find no partner within the reach see a gap or nothing, and a node deep inside the other body would go free. It is
-   told by the cells: a node that is inside the partner, and well away from the partner's side, has been carried past it. */
+   A ray that finds no partner within the reach gives a gap or nothing: a node deep inside the other body would have no
+   contact. So nodes are searched in the cells of the partner: those inside it and far from its side are too deep. */
 #include "kernel/boxtree.h"
 #include "base/compat.h"
 #include "mesh/insidebody.h"
 #include "contact/pairassembly.h"
 #include "contact/contactsurface.h"
 
-/* A node counts where points about it, at this share of the reach, are inside as well: not what a polygon, or an interference
-   fit, lets overlap beside the side in question. The reach is three facets at least. */
+/* A node counts if points around it, at this share of the reach, are inside as well. This omits the small overlaps of polygons
+   and of interference fits. The reach is at least three facets. */
 static const PetscReal OVERLAP_MARGIN = 1. / 3;
 
-enum { MAX_PROBES = 7 }; /* about a node: itself, and before and behind it along each axis */
+enum { MAX_PROBES = 7 }; /* around a node: itself, and two points along each axis */
 
 /* The box around a body, over all ranks. [out] box - lower, upper corner [2][dim] */
 static PetscErrorCode InitialOverlapBodyBox_Private(const Level *level, PetscInt body, PetscReal box[])
@@ -79,7 +79,7 @@ static PetscErrorCode InitialOverlapFindSuspects_Private(const Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Lets go of what a side of the other body has within reach. Collective. */
+/* Removes the suspects that have the side of the other body within reach. Collective. */
 static PetscErrorCode InitialOverlapRemoveNear_Private(const Level *level, const Facets *side, PetscReal reach,
                                                        GatheredPoints *suspects)
 {
@@ -111,7 +111,7 @@ static PetscErrorCode InitialOverlapRemoveNear_Private(const Level *level, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Keeps the suspects that are inside of a body with all that is about them. Collective. */
+/* Keeps the suspects that are inside a body with all points around them. Collective. */
 static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, PetscInt body, PetscReal margin,
                                                        GatheredPoints *suspects)
 {
@@ -137,8 +137,8 @@ static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The farthest of the suspects that are left, by the boxes around the facets of the side that they are away from. Collective.
-   [in,out] depth - of what was found before; [in,out] at - [dim] */
+/* Finds the suspect farthest from the boxes around the facets of the side. Collective. [in,out] depth - largest distance so
+   far; [in,out] at - its position [dim] */
 static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, const Facets *side,
                                                          const GatheredPoints *suspects, PetscReal *depth,
                                                          PetscReal at[])

@@ -1,9 +1,9 @@
-/* leverarm.c -- constraint rows across a gap: how the point that a tied point is linked to turns, and the line of action of a contact row. */
+/* leverarm.c -- constraint rows across a gap: the rotation of the link of a tied point, and the line of action of a contact row. */
 #include "base/compat.h"
 #include "contact/leverarm.h"
 #include "kernel/vector.h"
 
-/* Sides that are closer than this share of a facet touch: what is left is rounding of coordinates. */
+/* Sides closer than this share of a facet touch: the gap is rounding of coordinates. */
 static const PetscReal TOUCHING = 1e-10;
 /* A facet of a smaller measure than this share of its size squared, or in a plane of its size, has no tangent plane. */
 static const PetscReal DEGENERATE = 1e-12;

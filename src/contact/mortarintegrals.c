@@ -1,25 +1,16 @@
 /* mortarintegrals.c -- D, M and G of a side as sums at nodes.
 
-   Facets are integrated by the rank that holds them and summed at their nodes' owners, so that no result depends on the
-   partition. */
+   Facets are integrated by their rank and summed at the owners of their nodes, so that no result depends on the partition. */
 #include "base/compat.h"
 #include "contact/mortarintegrals.h"
 
-PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A)
-{
-  PetscFunctionBeginUser;
-  PetscCall(MortarIntegralsCreateBlockMat(level, facets, entries, 1, A));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode MortarIntegralsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
-                                             Mat *A)
+PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
+                                        Mat *A)
 {
   const PetscInt rows = bs * level->num_owned, all = bs * level->num_global;
-
-  Vec          counts, local;
-  PetscScalar *ca;
-  PetscInt    *d_nnz, *o_nnz;
+  Vec            counts, local;
+  PetscScalar   *ca;
+  PetscInt      *d_nnz, *o_nnz;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &counts));
@@ -47,7 +38,7 @@ PetscErrorCode MortarIntegralsCreateBlockMat(Level *level, const Facets *facets,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one facet's couplings to M and to the chain. */
+/* Adds one facet's entries to M and D_other. */
 static PetscErrorCode MortarIntegralsAddCouplings_Private(const Level *level, const Facets *facets, PetscInt f,
                                                           const FacetIntegral *integral, MortarIntegrals *sums)
 {
@@ -85,7 +76,7 @@ static PetscErrorCode MortarIntegralsAddArm_Private(const Level *level, const Fa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where the cover ends, and which nodes that concerns. Collective. */
+/* Collects the overlap boundary, and marks the nodes of facets that are covered in part or completely. Collective. */
 static PetscErrorCode MortarIntegralsGatherBoundary_Private(const Facets *facets, const FacetIntegral integrals[],
                                                             MortarIntegrals *sums)
 {
@@ -192,12 +183,12 @@ static PetscErrorCode MortarIntegralsCreateM_Private(Level *level, const FacetPa
   if (!partner->mortar || partner->gap_only) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].num_columns;
-  PetscCall(MortarIntegralsCreateMat(level, facets, entries, M));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, 1, M));
   PetscCall(PetscFree(entries));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The chain of nodes without multipliers, empty; NULL where all nodes may have one. Collective. */
+/* Creates an empty D_other for nodes without multipliers; NULL where all nodes may have one. Collective. */
 static PetscErrorCode MortarIntegralsCreateOffDiagonal_Private(Level *level, const Facets *facets,
                                                                const ElementType carrier[], Mat *chain)
 {
@@ -212,12 +203,12 @@ static PetscErrorCode MortarIntegralsCreateOffDiagonal_Private(Level *level, con
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++)
     entries[f] = ElementNumNodes(facets->type[f]) - ElementNumNodes(carrier[f]);
-  PetscCall(MortarIntegralsCreateMat(level, facets, entries, chain));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, 1, chain));
   PetscCall(PetscFree(entries));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The arm of a tie; NULL where its sides touch. Collective. */
+/* Creates the arm of a tie; NULL where its sides touch. Collective. */
 static PetscErrorCode MortarIntegralsCreateArm_Private(Level *level, const FacetPartner *partner, const Facets *facets,
                                                        const FacetIntegral integrals[], Mat *arm)
 {
@@ -232,14 +223,14 @@ static PetscErrorCode MortarIntegralsCreateArm_Private(Level *level, const Facet
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = integrals[f].has_arm ? integrals[f].num_columns : 0;
-  PetscCall(MortarIntegralsCreateBlockMat(level, facets, entries, level->dim, arm));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, level->dim, arm));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++)
     PetscCall(MortarIntegralsAddArm_Private(level, facets, f, &integrals[f], *arm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Ends what MatSetValues() began. */
+/* Assembles a matrix. */
 static PetscErrorCode MortarIntegralsAssemble_Private(Mat A)
 {
   PetscFunctionBeginUser;

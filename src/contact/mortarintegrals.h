@@ -47,11 +47,9 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
                                      MortarIntegrals *sums);
 PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums);
 
-/* Creates an empty matrix, node x node, preallocated for the entries of each facet in the rows of its nodes. Collective.
-   [in] entries - of each facet [facets->num] */
-PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], Mat *A);
-/* The same with a block of size bs for each of a facet's entries, unknown x unknown. Collective. */
-PetscErrorCode MortarIntegralsCreateBlockMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
-                                             Mat *A);
+/* Creates an empty matrix of blocks of size bs, node x node, preallocated for the entries of each facet in the rows of its nodes.
+   Collective. [in] entries - number of blocks of each facet [facets->num]; [out] A - owned by the caller */
+PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
+                                        Mat *A);
 
 #endif

@@ -1,22 +1,22 @@
 /* mortarsurface.c -- candidates: the mortar facets near this rank's nonmortar facets, in a box tree.
 
-   No rank holds a side. Every rank tells all others a few boxes around its nonmortar facets; a mortar facet goes to the
-   ranks one of whose boxes it meets. Facets that stay come first, then those of other ranks in the order of ranks: sums
-   over them differ from partition to partition in the last digits only.
+   No rank has a whole side. Each rank sends a few boxes around its nonmortar facets to all others; a mortar facet is sent to
+   the ranks whose boxes it meets. Facets of the own rank come first, then those of other ranks in the order of ranks: sums
+   over them depend on the partition in the last digits only.
 
-   A query is about the rays of one nonmortar facet. They fill a tube about the facet's normals that is as long as the reach
-   and hardly wider than the facet. A box around an inclined tube would hold ever more facets as these get smaller; slabs
-   along the tube and across it do not. */
+   A query is for the rays of one nonmortar facet. They fill a tube along the facet's normals that is as long as the reach and
+   hardly wider than the facet. A box around an inclined tube would contain more and more facets as these get smaller; slabs
+   along and across the tube do not. */
 #include "base/compat.h"
 #include "contact/contactsurface.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 
-/* Boxes around the nonmortar facets of one rank. A side that bends leaves most of one box empty, and what travels for
-   nothing is about the volume that they hold. */
+/* Boxes around the nonmortar facets of one rank. Most of one box around a curved side would be empty, and facets in its volume
+   would be sent without need. */
 enum { COVER_BOXES = 16 };
 
-/* Roundoff must not hide what touches the end of a facet: a query is wider by this share. */
+/* A query is wider by this share of the facet and the reach: roundoff must not omit facets at the ends. */
 static const PetscReal QUERY_SLACK = 1e-8;
 
 /* The boxes of all ranks. */
@@ -26,7 +26,7 @@ typedef struct {
   PetscMPIInt *rank; /* ascending [num] */
 } Covers;
 
-/* One facet as it travels between ranks. */
+/* A facet that is sent between ranks. */
 typedef struct {
   PetscInt  type, cell, material, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
   PetscReal coords[3 * ELEMENT_MAX_FACET_NODES];
@@ -83,7 +83,7 @@ static PetscErrorCode MortarSurfaceCoverFacets_Private(const Level *level, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Tells all ranks what each of them covers. Collective. */
+/* Gathers the boxes of all ranks on all ranks. Collective. */
 static PetscErrorCode MortarSurfaceCoversCreate_Private(const Level *level, const Facets *facets, PetscReal reach,
                                                         Covers *covers)
 {
@@ -171,7 +171,7 @@ static void MortarSurfaceAddFacet_Private(PetscInt dim, const FacetRecord *recor
     surface->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i] = record->curvature[i];
 }
 
-/* Facets on their way between this rank and others. */
+/* Facets that are sent between this rank and others. */
 typedef struct {
   PetscMPIInt  size, rank; /* of and in the communicator */
   PetscInt    *start;      /* of each rank's part of leaving, empty for this rank's own [size+1] */
@@ -222,7 +222,7 @@ static PetscErrorCode MortarSurfaceTrafficPlan_Private(const Side *side, const C
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Puts facets that stay into the surface and lines up those that leave. Not collective. */
+/* Adds facets of this rank to the surface, and packs those for other ranks. Not collective. */
 static PetscErrorCode MortarSurfaceTrafficLoad_Private(const Side *side, const Covers *covers, Traffic *traffic,
                                                        MortarSurface *surface)
 {
@@ -248,7 +248,7 @@ static PetscErrorCode MortarSurfaceTrafficLoad_Private(const Side *side, const C
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sends and receives, and appends what arrives to the surface. Collective. */
+/* Sends and receives facets, and adds the received ones to the surface. Collective. */
 static PetscErrorCode MortarSurfaceTrafficRun_Private(const Level *level, Traffic *traffic, MortarSurface *surface)
 {
   MPI_Comm     comm;
@@ -344,7 +344,7 @@ typedef struct {
   PetscReal mean[3], cosine; /* of the widest angle between them; 0 where it is a right one or more */
 } Cone;
 
-/* The cone of the normals: that of the Bezier points of their field, since what lies between two of them is in it, too. */
+/* The cone of the normals, which is that of the Bezier points of their field. */
 static Cone MortarSurfaceFindNormalCone_Private(PetscInt dim, ElementType type, const PetscReal N[])
 {
   const PetscInt n    = ElementNumNodes(type);

@@ -1,7 +1,7 @@
 /* multiplierstatus.c -- the nodes of the nonmortar sides that carry a multiplier.
 
-   A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Removed are slivers of coverage, whose
-   pressure could not be recovered accurately, nodes whose normal direction is fixed, and nodes that another pair serves. */
+   A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Nodes are removed if they are hardly
+   covered, so that their pressure would be inaccurate; if their normal direction is fixed; or if another pair constrains them. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -16,16 +16,16 @@ static const PetscReal HELD_NORMAL = 0.1;
    negatively, 4 e^3 - 3 e^2 >= -1/4, where less than three quarters of the line are; the far corner of a facet in space by the
    product of two such shares, which is positive again and up to 1/16. */
 static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC_LINE = 5e-2, SLIVER_QUADRATIC = 0.1;
-/* Covered share that is nothing but roundoff. */
+/* Covered share that is roundoff. */
 static const PetscReal NO_COVER = 1e-13;
-/* Share of the facets around a node below which its shape function weighs next to nothing: at the axis of a quadratic
-   axisymmetric side, where int phi r is 0 on a straight facet and of either sign on a curved one. Elsewhere it is 1/6 at least
+/* Integral of a shape function, relative to the facets around its node, that counts as zero. It is so at the axis of a quadratic
+   axisymmetric side, where int phi r is 0 on a straight facet, and of either sign on a curved one. Elsewhere it is at least 1/6
    on even meshes. */
 static const PetscReal WEIGHTLESS = 1e-2;
-/* A further constraint at a node needs a normal that leaves those of earlier ones, or their plane, by at least 20 degrees: what is
-   left of it across them is no shorter than this. */
+/* A further constraint at a node needs a normal at least 20 degrees from those of earlier ones, or from their plane: its part
+   across them is at least this long. */
 static const PetscReal NEW_DIRECTION = 0.34202014332566873;
-/* What two pairs cover of the facets around a node is covered twice where it exceeds them by this share. */
+/* Two pairs cover the same part of the facets around a node if the sum of their covers exceeds the facets by this share. */
 static const PetscReal COVERED_TWICE = 1e-8;
 /* Gaps that differ by less than this share are the same, on all processes. */
 static const PetscReal AS_NEAR = 1e-9;
@@ -77,9 +77,9 @@ static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const Sc
 /* Sums that decide the status of nodes, at local nodes. */
 enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
 
-/* What coverage makes of a node. Where the shape function weighs next to nothing over whole facets, no share of it can be told
-   and no pressure recovered: the facets themselves tell whether the node is covered, and its row keeps a weight, if only of
-   roundoff, by which it can be redistributed. [in,out] a - local forms of the sums */
+/* The status of a node by coverage. If the integral of its shape function over whole facets is nearly zero, it has no covered
+   share and no pressure. Then the facets decide whether the node is covered, and its row gets a weight of roundoff for the
+   redistribution. [in,out] a - local forms of the sums */
 static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
 {
   const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
@@ -131,8 +131,8 @@ static PetscBool MultiplierStatusTakesAll_Private(const ScenePair *spec)
   return (PetscBool)(spec->type == PAIR_TIED || ScenePairHasFriction(spec));
 }
 
-/* Whether earlier pairs serve a node of the pair num: one of the two is tied or has friction, or its normal is nearly a combination of theirs.
-   [in] n - normals of the pairs at local nodes [num+1] */
+/* Whether earlier pairs constrain a node of the pair num: one of the two is tied or has friction, or its normal is nearly a
+   combination of theirs. [in] n - normals of the pairs at local nodes [num+1] */
 static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairAssembly assemblies[],
                                                   PetscScalar *const n[], PetscInt node)
 {
@@ -157,18 +157,18 @@ static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, co
   return PETSC_FALSE;
 }
 
-/* Whether two pairs see different things from the same facets, so that one may stand behind the other. */
+/* Whether two pairs have different partners on the same facets: one partner may be behind the other. */
 static PetscBool MultiplierStatusMayHide_Private(const ScenePair *a, const ScenePair *b)
 {
   return (PetscBool)(a->type == PAIR_CONTACT && b->type == PAIR_CONTACT && a->nonmortar.body == b->nonmortar.body &&
                      !strcmp(a->nonmortar.side, b->nonmortar.side));
 }
 
-/* What is known of nodes of a pair when pairs are compared. */
+/* Data of the nodes of a pair that pairs are compared by. */
 enum { SEEN_D, SEEN_G, SEEN_MEASURE, SEEN_COVER, SEEN_NORMALS, SEEN_COUNT };
 
-/* Whether the pair b stands farther from a node than a, along nearly the same normal, where both cover the same part of it: more
-   than its whole neighbourhood between them. [in] a, b - local forms */
+/* Whether the partner of b is farther from a node than that of a, along nearly the same normal, and both cover the same part of
+   its facets. [in] a, b - local forms */
 static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscScalar *const b[],
                                                   PetscInt node)
 {
@@ -184,9 +184,8 @@ static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *con
   return (PetscBool)(gap_b - gap_a > AS_NEAR * PetscMax(PetscAbsReal(gap_a), PetscAbsReal(gap_b)));
 }
 
-/* Two pairs on one side, one of which stands before the other here and behind it there, as two balls that press on a plate: a node
-   meets the nearer one, and is to the other one as if it were not covered. A redistributed row would let its neighbours in by
-   the difference of both gaps. */
+/* For two pairs on one side, whose partners change their order, as two balls on a plate: a node belongs to the nearer partner,
+   and is uncovered for the other one. With a redistributed row, its neighbours would overlap by the difference of both gaps. */
 static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, PairAssembly *first, PairAssembly *second)
 {
   PairAssembly *assembly[2] = {first, second};
@@ -222,7 +221,7 @@ static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, Pair
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Removes from the pair num the nodes that earlier ones serve. */
+/* Removes from the pair num the nodes that earlier pairs constrain. */
 static PetscErrorCode MultiplierStatusRemoveNodes_Private(const Level *level, PetscInt num, PairAssembly assemblies[])
 {
   PairAssembly *later = &assemblies[num];

@@ -1,7 +1,7 @@
 /* nodalnormals.c -- nodal normals of the nonmortar side.
 
-   Only facets of this contact side count, never side faces of the body. Where facets meet at a sharp edge, only those that see the
-   other side count: the mean with one that turns its back would slant the contact force. */
+   Only facets of this contact side count, never other faces of the body. Where facets meet at a sharp edge, only those that face
+   the partner count: a mean with the other ones would incline the contact force. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/mortarintegrals.h"
@@ -120,7 +120,7 @@ static PetscErrorCode NodalNormalsFindSharp_Private(Level *level, const Facets *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes the normals of marked nodes from those that see the other side, where these have one. */
+/* Replaces the normals of marked nodes by those of facets that face the partner, where there are such. */
 static PetscErrorCode NodalNormalsTakeSeeing_Private(const Level *level, Vec sharp, Vec seeing, Vec normals)
 {
   const PetscInt     dim = level->dim;

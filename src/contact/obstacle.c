@@ -1,20 +1,20 @@
 /* obstacle.c -- rigid obstacles as a gap along the contact normal, and their shape.
 
-   Each shape is one ray problem: the signed t for which x + t n lies on the surface. It is the same in a plane and in space:
-   a circle is the ball of its plane. */
+   For each shape, a ray gives the signed t for which x + t n lies on the surface. The formulas hold in a plane and in space: a
+   circle is the ball of its plane. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/obstacle.h"
 #include "kernel/vector.h"
 
-/* Rays that run along a surface to within this cosine never meet it. */
+/* Rays that are parallel to a surface to within this cosine do not meet it. */
 static const PetscReal GRAZING = 1e-10;
 
-/* Differences of formulas reach so far, as a share of a facet. */
+/* Step of the differences of formulas, as a share of a facet. */
 static const PetscReal DIFFERENCE = 1e-3;
 
-/* The root of a t^2 + 2 b t + c = 0 that stays bounded as a -> 0, without cancellation. Where the ray passes the surface
-   by, the surface is continued from its outermost points, so that the gap stays continuous and large. */
+/* The root of a t^2 + 2 b t + c = 0 that stays bounded as a -> 0, without cancellation. Where the ray misses the surface, the
+   surface is continued from its outermost points, so that the gap stays continuous and large. */
 static PetscReal ObstacleNearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
@@ -22,8 +22,8 @@ static PetscReal ObstacleNearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
   return -c / (b > 0 ? b + root : b - root);
 }
 
-/* a t^2 + 2 b t + c = 0 for what is round: from outside (radius > 0) where the ray enters it, from inside (radius < 0)
-   where it leaves. a > 0 */
+/* a t^2 + 2 b t + c = 0 for balls and cylinders: from outside (radius > 0) where the ray enters, from inside (radius < 0) where
+   it leaves. a > 0 */
 static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
@@ -34,7 +34,7 @@ static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscRe
   return c > 0 ? PETSC_INFINITY : -(b + root) / a;
 }
 
-/* |d + t n| = |radius| with what of d = x - point and of n is across the axis: all of them for a ball, whose axis is zero. */
+/* |d + t n| = |radius| with the parts of d = x - point and of n across the axis; for a ball, whose axis is zero, all of them. */
 static PetscReal ObstacleAxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[],
                                          const PetscReal n[])
 {

@@ -4,7 +4,7 @@
 
 /* Ends of pieces closer than this share of the facet are one. */
 static const PetscReal SAME_END = 1e-10;
-/* Normals that differ by less do not turn; a facet is straight whose middle node is off by less than this share. */
+/* Normals that differ by less are parallel; a facet is straight if its middle node deviates by less than this share. */
 static const PetscReal TURN_TOLERANCE = 1e-12;
 
 /* Whether x(xi) is linear. */
@@ -112,7 +112,7 @@ static PetscErrorCode OverlapLinePieceListCreate_Private(const FacetPartner *par
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Cuts the facet wherever a piece ends, and gives each part to the nearest mortar facet over it. */
+/* Cuts the facet at the ends of all pieces, and assigns each part to the nearest mortar facet there. */
 static PetscErrorCode OverlapLineKeepNearestPieces_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                            OverlapPoints *list)
 {

@@ -4,12 +4,12 @@
 #include "contact/obstacle.h"
 #include "contact/overlap.h"
 
-/* Two layers of the mortar side are seen when the overlaps sum to more than the facet by this share. */
+/* The mortar side has two layers if the overlaps with a facet add to more than the facet by this share. */
 static const PetscReal OVERLAP_TOLERANCE = 1e-8;
 
 enum { START_POINTS = 64 }; /* first size of the list of points */
 
-/* What serves facets of a dimension. */
+/* The operations for facets of a dimension. */
 static const Overlap *OverlapPointsGetOverlap_Private(PetscInt dim)
 {
   return dim == 2 ? &OVERLAP_LINES : &OVERLAP_POLYGONS;
@@ -137,8 +137,8 @@ static PetscErrorCode OverlapPointsCollectMortar_Private(const FacetPartner *par
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Collects the points of a facet against an obstacle: the whole facet, if any of it is within reach along the facet's own
-   normal. That of a node at a sharp edge may see what the facet turns its back on. */
+/* Collects the points of a facet against an obstacle: the whole facet, if any part is within reach along the facet's own normal.
+   The normal of a node at a sharp edge might meet an obstacle behind the facet. */
 static PetscErrorCode OverlapPointsCollectObstacle_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                            OverlapPoints *list)
 {
@@ -160,8 +160,7 @@ static PetscErrorCode OverlapPointsCollectObstacle_Private(const FacetPartner *p
     PetscCall(ObstacleGap(&partner->spec->obstacle, dim, x, n, &point.gap));
     PetscCall(ObstacleGap(&partner->spec->obstacle, dim, x, nu, &own));
     if (own <= partner->reach) near = PETSC_TRUE;
-    if (PetscMax(own, point.gap) >= PETSC_INFINITY)
-      back = PETSC_TRUE; // part of the facet turns its back on the obstacle
+    if (PetscMax(own, point.gap) >= PETSC_INFINITY) back = PETSC_TRUE; // part of the facet does not face the obstacle
     PetscCall(OverlapPointsAdd(list, &point, -1));
   }
   if (!near || back) list->num = 0;

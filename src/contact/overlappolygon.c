@@ -2,15 +2,15 @@
 #include "base/compat.h"
 #include "contact/overlap.h"
 
-/* Layers of the mortar side are further apart than this share of the nonmortar facet; gaps at points that a curved facet and
-   its neighbour both claim at their common edge are closer. */
+/* Layers of the mortar side are farther apart than this share of the nonmortar facet. Gaps at points that two curved neighbours
+   both have at their common edge are closer. */
 static const PetscReal LAYER_DISTANCE = 1e-3;
 
 /* A facet is straight whose middle nodes are off by less than this share. */
 static const PetscReal STRAIGHT_FACET = 1e-10;
 
-/* Of rules where no rule is exact: on a curved facet, which is cut into parts. Products of two shape functions err by less
-   than the facet's shape does. */
+/* Degree on curved facets, which are cut into parts and where no rule is exact. The error for products of two shape functions is
+   less than that of the facet's shape. */
 enum { CURVED_DEGREE = 5, GIVEN_GAP_DEGREE = 2 };
 
 /* Whether x(xi) is that of a facet of first order with the same vertices. */

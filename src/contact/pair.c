@@ -1,7 +1,7 @@
 /* pair.c -- contact pairs, from sides to multipliers.
 
-   Everything is computed once, in the reference configuration (the bodies move little). All pairs are integrated before
-   any decides on its multipliers, since a node can serve several pairs but each of its directions only one. */
+   All is computed once, in the undeformed configuration. All pairs are integrated before nodes with multipliers are chosen: a
+   node can be in several pairs, but each of its directions in only one. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/pair.h"
@@ -9,7 +9,7 @@
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
 
-/* A removed node that has less than this part of its facets covered lies beyond its partner's end: at that end it has half of them. */
+/* A removed node with less than this part of its facets covered lies outside its partner; at the partner's end it would be half. */
 static const PetscReal BEYOND = 0.45;
 
 /* Rows (n, t..): t is the fixed direction where there is one, so that fixed unknowns stay single. [out] Q - [dim][dim] */
@@ -96,7 +96,7 @@ static PetscErrorCode PairCopyGhosts_Private(Vec from, Vec to)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* D, M and G along the directions of contact that follow from the side's own normals. */
+/* Integrates D, M and G along the directions of contact. */
 static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *support, const FacetPartner *partner,
                                                 Vec own, PairAssembly *assembly)
 {
@@ -108,7 +108,7 @@ static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *sup
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Once more where sharp edges show only then which of their facets see a partner. */
+/* Integrates again where the first integration has shown which facets at sharp edges face the partner. */
 static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *support, const FacetPartner *partner,
                                                  PairAssembly *assembly)
 {
@@ -134,9 +134,8 @@ static PetscBool PairIsPolygonal_Private(const Level *level, const SceneSide *si
   return level->scene->bodies[side->body].polygonal;
 }
 
-/* The mortar facets in reach, with their shape where it is asked for: by gaps, and by directions where the nonmortar side is curved. A flat
-   one decides alone, and before a flat mortar side nodes are where they are: the straight facets between them move as those of the other
-   side do. Collective. */
+/* Creates the mortar surface within reach. Its shape is computed if gaps need it, or directions at a curved nonmortar side: a flat
+   nonmortar side determines the directions alone. Collective. */
 static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mortar, PairAssembly *assembly, Pair pair,
                                                 MortarSurface *surface)
 {
@@ -221,7 +220,7 @@ PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The points pass to the pair, with the side that they lie on. Not collective. */
+/* Moves the points to the pair, with the facets of their side. Not collective. */
 static void PairTakePoints_Private(PairAssembly *assembly, Pair pair)
 {
   pair->points          = assembly->sums.points;

@@ -66,7 +66,7 @@ PetscErrorCode QuadraticBasisCreate(Level *level, const Facets *facets, const El
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = ElementNumNodes(ElementLinear(facets->type[f])) + 1;
-  for (PetscInt i = 0; i < 2; i++) PetscCall(MortarIntegralsCreateMat(level, facets, entries, mats[i]));
+  for (PetscInt i = 0; i < 2; i++) PetscCall(MortarIntegralsCreateMat(level, facets, entries, 1, mats[i]));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++)
     PetscCall(QuadraticBasisAddFacet_Private(level, facets, f, carrier[f], *to_nodal, *from_nodal));

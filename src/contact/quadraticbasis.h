@@ -4,9 +4,10 @@
 
 #include "mesh/mesh.h"
 
-/* u = u~ + to_nodal u~ and u~ = u + from_nodal u on the nonmortar side, node x node. Where only vertices carry multipliers, the unknown
-   of every other node is what goes beyond the linear shape functions there; where tri6 carry them, that of a middle node
-   is the one of DualShape(). Both NULL where u~ = u. Collective. [in] carrier - of each facet [facets->num] */
+/* u = u~ + to_nodal u~ and u~ = u + from_nodal u on the nonmortar side, node x node. With multipliers at vertices alone, the
+   unknown of another node is its displacement less the linear interpolation. With multipliers on tri6, that of a middle node
+   is the one of DualShape(). Collective. [in] carrier - of each facet [facets->num]; [out] to_nodal, from_nodal - owned by the
+   caller, NULL where u~ = u */
 PetscErrorCode QuadraticBasisCreate(Level *level, const Facets *facets, const ElementType carrier[], Mat *to_nodal,
                                     Mat *from_nodal);
 

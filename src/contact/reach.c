@@ -1,7 +1,7 @@
 /* reach.c -- the search radius of a pair.
 
-   A multiplier costs little and an unused one nothing but its row, while a missed contact is a wrong answer: the reach is
-   generous, and wider where bodies overlap by more. What approaches from beyond it does not move little. */
+   An unused multiplier costs one row, but missed contact is a wrong answer. So the reach is large, and larger where bodies overlap
+   by more. Bodies that move farther than the reach are checked after the solution (reachcheck.h). */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "contact/pairassembly.h"
@@ -10,10 +10,9 @@
 static const PetscReal REACH_FACETS = 3;
 /* ... and within twice the largest prescribed displacement, and within a tenth of the smaller side. */
 static const PetscReal REACH_PRESCRIBED = 2, REACH_SIDE = 0.1;
-/* Ties join what they name, also across a gap, whatever the size of facets: within half of the smaller side. */
+/* Ties join sides also across a gap, independent of the size of facets: within half of the smaller side. */
 static const PetscReal REACH_TIED = 0.5;
-/* Rays out of an overlap are no longer than this many times the shortest way, where the partner is flat: 1 / 0.3 where sides face each
-   other just so. */
+/* Largest ratio of a ray out of an overlap to the shortest path, for a flat partner: 1 / 0.3 where sides barely face each other. */
 static const PetscReal REACH_OVERLAP = 3.5;
 
 /* Diagonal of the box around a side, over all ranks; 0 for an empty one. */

@@ -1,14 +1,14 @@
 /* redistribution.c -- redistribution of removed constraints.
 
-   psi_a + sum_c w_ac psi_c keeps sum psi = 1 and stays diagonal on the kept nodes, so constant pressures still pass; in 2D
-   this is the constant dual function of Wohlmuth (2000) at the ends of a side. Removed nodes lie in rings around the kept
-   ones: ring 1 has kept neighbours, ring k has neighbours in ring k - 1, and W_k = W_(k-1) N_k with N_k the mean over
-   them. One ring is the rule; more are needed where another pair serves several nodes in a row. */
+   psi_a + sum_c w_ac psi_c keeps sum psi = 1 and D diagonal on the kept nodes, so constant pressures are represented exactly. In
+   2D this is the constant dual function of Wohlmuth (2000) at the ends of a side. Removed nodes lie in rings around the kept
+   ones: ring 1 has kept neighbours, ring k has neighbours in ring k - 1. W_k = W_(k-1) N_k, with N_k the mean over them. One
+   ring is usual; more are needed where another pair constrains several nodes in a row. */
 #include "base/compat.h"
 #include "contact/redistribution.h"
 
-/* Share of its own weight that a node keeps at least beside the rows that it takes over. With less, down to none at all, a pressure there
-   would pull as much as it pushes. */
+/* Least weight of a kept node with the rows that it takes over, as a share of its own. With less, its dual function would be
+   negative on as much of the side as positive. */
 static const PetscReal LEFT_OVER = 0.1;
 
 /* Whether two nodes of a facet follow each other on the lattice of its nodes, which has steps of 1 / order along its edges: not the
@@ -75,7 +75,7 @@ static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const F
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(facets->num, &entries));
   for (PetscInt f = 0; f < facets->num; f++) entries[f] = ElementNumNodes(sums->carrier[f]) - 1;
-  PetscCall(MortarIntegralsCreateMat(level, facets, entries, N));
+  PetscCall(MortarIntegralsCreateMat(level, facets, entries, 1, N));
   PetscCall(PetscFree(entries));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
@@ -176,7 +176,7 @@ static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const M
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Removes kept nodes to which too little is left of their own weight: the rows that they take over may be covered negatively.
+/* Removes kept nodes whose weight has become too small: rows that they take over may have negative weights.
    [in] W - NULL where no row is redistributed; [out] any - whether there was such a node */
 static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const MortarIntegrals *sums, PetscInt num_nodes,
                                                             MultiplierStatus status[], PetscBool *any)

@@ -1,9 +1,9 @@
 /* smoothgap.c -- gaps between smooth sides.
 
-   Facets of first order cut the corners off a curved side, by an eighth of the square of their length over the radius: as much as an
-   interference fit, or the approach of two bodies, on any mesh that is not very fine. Nodes alone are on the side, and the normals
-   there say how it goes on between them. Points of facets keep their places in all integrals; the gap alone is that of the
-   curves, to first order: their distance from the facets along the ray. */
+   Facets of first order deviate from a curved side by an eighth of the square of their length over the radius. On most meshes that
+   is as much as an interference fit, or the approach of two bodies. Nodes are on the curved side, and their normals determine its
+   curve between them. In integrals, points stay on the facets; only the gap is that of the curves, to first order: their distance
+   from the facets along the ray is added. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -11,10 +11,10 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Normals that differ by less do not turn. */
+/* Normals that differ by less are parallel. */
 static const PetscReal TURN_ROUNDING = 1e-11;
 
-/* What a straight facet of a polygon may be off its curve by, at most: half of a polygon's edge may be straight at one end. */
+/* Largest deviation of a straight facet from its curve. It is that of an arc, since half of an edge may be straight. */
 static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
 {
   PetscReal most = 0;
@@ -34,7 +34,7 @@ static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, c
   return most;
 }
 
-/* What a facet may be off its curve by, at most: a parabola leaves an arc that turns by 2 gamma with the bulges s by s gamma^2 / 16.
+/* Largest deviation of a facet from its curve: a parabola deviates by s gamma^2 / 16 from an arc of angle 2 gamma and bulge s.
    [in] bulge - of the facet of first order */
 static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
                                              const PetscReal bulge[])

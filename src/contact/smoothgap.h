@@ -4,15 +4,17 @@
 
 #include "contact/overlappoints.h"
 
-/* What the curves over the edges of a side's facets add to their points, as ArcBulge() has it; of facets of second order nothing.
-   Collective. [in] shape - of the facets; [out] bulges - NULL where there is none on any rank, or the side remains polygonal, or gaps are
-   given; owned by the caller [num][ELEMENT_MAX_FACET_NODES][dim]; [out] left - what gaps may still be off by */
+/* Bulges of the curves over the edges of a side's facets (ArcBulge()); none for facets of second order. Collective.
+   [in] shape - of the facets
+   [out] bulges - owned by the caller [num][ELEMENT_MAX_FACET_NODES][dim]; NULL where no rank has one, the side is polygonal, or
+   gaps are given
+   [out] left - largest error of gaps that remains */
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
                                PetscBool polygonal, PetscReal **bulges, PetscReal *left);
-/* The same of the mortar facets that have come to this rank. Not collective. */
+/* The same for the mortar facets on this rank. Not collective. */
 PetscErrorCode SmoothGapCreateMortar(PetscInt dim, MortarSurface *mortar);
 
-/* Measures the gaps of a facet's points between the curves; returns by how much that changes one of them at most. Not collective.
+/* Changes the gaps of a facet's points to those between the curves; returns the largest change. Not collective.
    [in] bulges - of the facet, or NULL */
 PetscReal SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
                          OverlapPoints *list);

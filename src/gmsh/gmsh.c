@@ -34,7 +34,7 @@ typedef struct {
   PetscInt   max_groups, max_nodes;         /* sizes of mesh->group and mesh->nodes */
 } GmshReader;
 
-/* Only the first thing that goes wrong is worth telling: the rest follows from it. */
+/* Sets the reason of the first error; later errors are its consequences. */
 static void GmshFail_Private(GmshReader *reader, const char format[], ...)
 {
   va_list arguments;
@@ -69,7 +69,7 @@ static PetscInt64 GmshReadTag_Private(GmshReader *reader)
   return GmshReadInt_Private(reader, sizeof(int));
 }
 
-/* A number of things: a size_t in format 4.1, a line of text in 2.2, even in binary files. */
+/* A count: a size_t in format 4.1; in format 2.2 a line of text, even in binary files. */
 static PetscInt GmshReadCount_Private(GmshReader *reader, const char what[])
 {
   long long value = 0;
@@ -86,7 +86,7 @@ static PetscInt GmshReadCount_Private(GmshReader *reader, const char what[])
   return reader->reason[0] ? 0 : (PetscInt)value;
 }
 
-/* Finite numbers. [out] values - [num], or NULL where they do not matter */
+/* Reads finite numbers. [out] values - [num]; NULL to skip them */
 static void GmshReadNumbers_Private(GmshReader *reader, PetscInt num, PetscReal values[])
 {
   for (PetscInt i = 0; i < num && !reader->reason[0]; i++) {
@@ -101,7 +101,7 @@ static void GmshReadNumbers_Private(GmshReader *reader, PetscInt num, PetscReal 
   }
 }
 
-/* Least and largest tag, which format 4.1 announces. */
+/* Reads and checks the least and the largest tag of format 4.1. */
 static void GmshReadRange_Private(GmshReader *reader)
 {
   const PetscInt64 least   = GmshReadInt_Private(reader, (size_t)reader->data_size);
@@ -111,7 +111,7 @@ static void GmshReadRange_Private(GmshReader *reader)
     GmshFail_Private(reader, "its least tag %lld is above its largest %lld", (long long)least, (long long)largest);
 }
 
-/* Room for more integers in a list that grows. [in,out] room - for as many as there is */
+/* Enlarges a list of integers if it is too small. [in,out] room - its size */
 static PetscErrorCode GmshGrowList_Private(PetscInt wanted, PetscInt *room, PetscInt **list)
 {
   PetscFunctionBeginUser;
@@ -121,7 +121,7 @@ static PetscErrorCode GmshGrowList_Private(PetscInt wanted, PetscInt *room, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Appends the number of a physical group; 0 means none, a minus sign another sense of the elements. */
+/* Appends the number of a physical group. 0 means none; a minus sign means elements of the opposite orientation. */
 static PetscErrorCode GmshAddGroup_Private(GmshReader *reader, PetscInt64 group)
 {
   GmshMesh *mesh = reader->mesh;
@@ -167,7 +167,7 @@ static PetscErrorCode GmshReadEntities_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The head of a block in format 4.1: dimension and tag of its entity. [out] entity - its place */
+/* Reads the head of a block of format 4.1: dimension and tag of its entity. [out] entity - index of the entity */
 static PetscErrorCode GmshReadEntity_Private(GmshReader *reader, PetscInt64 *dim, PetscInt *entity)
 {
   PetscInt64 tag;
@@ -257,7 +257,7 @@ static const GmshType *GmshReadType_Private(GmshReader *reader)
   return type;
 }
 
-/* Room for all elements, but for their nodes. */
+/* Allocates all elements, without their nodes. */
 static PetscErrorCode GmshAllocateElements_Private(GmshMesh *mesh, PetscInt num)
 {
   PetscFunctionBeginUser;
@@ -266,8 +266,8 @@ static PetscErrorCode GmshAllocateElements_Private(GmshMesh *mesh, PetscInt num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the nodes just read are those of the element before, in the same order: an element of several physical groups
-   is listed by format 2.2 once for each of them, one right after the other. */
+/* Whether the nodes just read are those of the element before, in the same order. Format 2.2 lists an element of several physical
+   groups once for each group, in succession. */
 static PetscBool GmshRepeatsElement_Private(const GmshMesh *mesh, const GmshType *type)
 {
   const PetscInt e = mesh->num_elements, num = type->num_nodes;
@@ -379,7 +379,7 @@ static PetscErrorCode GmshReadBlocks_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Passes over the elements of a head that was read: in text the rest of its line, and one line for each that follows. */
+/* Skips the elements of a head that was read; in text, the rest of its line and one line for each further element. */
 static void GmshSkipElements_Private(GmshReader *reader, PetscInt64 num_lines, PetscInt64 num_bytes)
 {
   if (reader->binary && fseek(reader->file, (long)num_bytes, SEEK_CUR)) GmshFail_Private(reader, "it ends too early");
@@ -539,7 +539,7 @@ static PetscErrorCode GmshOpen_Private(GmshReader *reader, const char path[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads up to the elements; sections behind them (periodic nodes, data) have no meaning here. */
+/* Reads up to the elements; sections after them (periodic nodes, data) are not used. */
 PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, char reason[], size_t len)
 {
   GmshReader reader = {.reason = reason, .len = len, .mesh = mesh};

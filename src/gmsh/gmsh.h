@@ -44,7 +44,7 @@ PetscErrorCode GmshMeshDestroy(GmshMesh *mesh);
 /* Whether the cells of a file, its elements of this dimension, can be used: that there are no higher ones, that their types
    are accepted and their corners different, that a plane mesh is plane. Not collective. [out] reason - why not, "" if so [len] */
 PetscErrorCode GmshCheck(const GmshMesh *mesh, PetscInt dim, char reason[], size_t len);
-/* Says that the cells of a file have another dimension than the scene, and what to do. [out] reason - [len] */
+/* Writes the sentence for a file whose cells have another dimension than the scene. [out] reason - [len] */
 void GmshDescribeDimension(PetscInt highest, PetscInt dim, char reason[], size_t len);
 /* Whether a mesh within these bounds is plane. [in] lower, upper - [3]; [out] reason - untouched if so [len] */
 void GmshCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[], size_t len);

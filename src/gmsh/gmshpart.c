@@ -1,4 +1,4 @@
-/* gmshpart.c -- parts of a mesh file. The first rank holds the lists of a Gmsh file for the time of reading. */
+/* gmshpart.c -- parts of a mesh file. The first rank has all lists of a Gmsh file while it is read. */
 #include "gmsh/gmshpart.h"
 #include "base/compat.h"
 #include "gmsh/groupsets.h"
@@ -7,7 +7,7 @@
 
 enum { REASON = 1024 };
 
-/* What the first rank sends, piece by piece. */
+/* The parts that the first rank sends. */
 typedef struct {
   MPI_Comm     comm;
   PetscMPIInt  rank, size;
@@ -15,7 +15,8 @@ typedef struct {
   PetscInt    *first;           /* element of each part [size+1] */
 } Scatter;
 
-/* Leaves the kept elements, in place, with their set instead of their groups: first_group is its number. [in] set - as of GroupSetsCreate() */
+/* Removes elements without a set, in place, and replaces the groups of the others by their set: first_group is its number.
+   [in] set - as of GroupSetsCreate() */
 static void GmshKeep_Private(GmshMesh *mesh, const PetscInt set[])
 {
   PetscInt num = 0, nodes = 0;
@@ -32,8 +33,8 @@ static void GmshKeep_Private(GmshMesh *mesh, const PetscInt set[])
   mesh->num_elements = num;
 }
 
-/* Sends each rank some numbers of its elements, or of its points. [in] offset - where those of an element begin, NULL: size at each; mine - on
-   every rank [num] */
+/* Sends each rank the numbers of its elements, or of its points. [in] offset - index of the first number of each element; NULL
+   if each has size numbers; [out] mine - on every rank [num] */
 static PetscErrorCode Scatter_Private(Scatter *s, MPI_Datatype type, const PetscInt offset[], PetscInt size,
                                       const void *all, PetscInt num, void *mine)
 {

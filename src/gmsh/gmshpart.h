@@ -11,9 +11,9 @@ typedef struct {
   PetscInt first_node, all_nodes; /* of this part; of the file */
 } GmshPart;
 
-/* Reads a file: a converted one by all ranks, each its part; one of Gmsh by the first rank, which sends them theirs. Elements that are neither
-   cells of the dimension nor facets in a physical group are dropped. Collective. [out] good - whether the file can be read, and has no elements
-   of a higher dimension; what is wrong is not told */
+/* Reads a file in parts. Of a converted file each rank reads its part; a Gmsh file is read by the first rank, which sends the parts.
+   Drops elements that are neither cells of the dimension nor facets in a physical group. Collective.
+   [out] good - whether the file can be read and has no elements of a higher dimension; there is no reason for PETSC_FALSE */
 PetscErrorCode GmshPartRead(MPI_Comm comm, const char path[], PetscInt dim, GmshNames *names, GmshPart *part,
                             PetscBool *good);
 

@@ -2,7 +2,7 @@
 #include "gmsh/groupsets.h"
 #include "base/compat.h"
 
-/* The number of a set: most often that of the element before. */
+/* Finds or appends a set. [in] guess - the set of the element before, which is tried first; [out] set - its number */
 static PetscErrorCode GroupSetsFind_Private(GroupSets *sets, PetscInt num, const PetscInt number[], PetscInt guess,
                                             PetscInt *set)
 {

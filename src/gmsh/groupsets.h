@@ -1,4 +1,4 @@
-/* groupsets.h -- the sets of physical groups that elements are in: elements of one entity of Gmsh have the same. */
+/* groupsets.h -- the sets of physical groups of elements: elements of one Gmsh entity have the same set. */
 #ifndef MORTISE_GROUPSETS_H
 #define MORTISE_GROUPSETS_H
 
@@ -9,8 +9,9 @@ typedef struct {
   PetscInt *start, *number; /* ascending [num+1]; physical groups [start[num]]; set 0 is empty */
 } GroupSets;
 
-/* Of the elements of these dimensions that are kept: cells, of the highest dimension, and the facets in a group. Not collective.
-   [out] set - of each element, -1 for others [mesh->num_elements], freed by the caller */
+/* Finds the sets of the cells, which have the dimension dim, and of the facets in a physical group. Not collective.
+   [out] sets - owned by the caller, GroupSetsDestroy()
+   [out] set - of each element, -1 for other elements [mesh->num_elements]; owned by the caller, PetscFree() */
 PetscErrorCode GroupSetsCreate(const GmshMesh *mesh, PetscInt dim, GroupSets *sets, PetscInt **set);
 PetscErrorCode GroupSetsDestroy(GroupSets *sets);
 

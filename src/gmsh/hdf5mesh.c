@@ -1,4 +1,4 @@
-/* hdf5mesh.c -- reads HDF5 meshes by hyperslabs: a rank that wants a part reads no more than that.
+/* hdf5mesh.c -- reads HDF5 meshes by hyperslabs: each rank reads its part only.
 
    PETSc's own HDF5 meshes (DMPlexTopologyLoad()) have all edges and facets, and no middle nodes of curved cells. */
 #include "gmsh/hdf5mesh.h"
@@ -42,7 +42,7 @@ static int HDF5MeshReadAttribute_Private(hid_t file, const char name[])
 
 static hid_t HDF5MeshOpen_Private(const char path[])
 {
-  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // HDF5 prints nothing: failures have sentences here
   return H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
 }
 
@@ -227,7 +227,7 @@ static void HDF5MeshCountRows_Private(Reader *reader, PetscInt num[], PetscInt *
   }
 }
 
-/* One element behind those that are there. [in] nodes - in Gmsh's order [type->num_nodes]; set - of its groups */
+/* Appends an element. [in] nodes - in Gmsh's order [type->num_nodes]; [in] set - of its groups */
 static void HDF5MeshAddElement_Private(Reader *reader, const GmshType *type, const PetscInt nodes[], PetscInt all_nodes,
                                        GmshMesh *mesh)
 {

@@ -15,8 +15,8 @@ enum {
   HDF5_MESH_NAME    = 128 /* bytes of a physical group's name, with its final zero */
 };
 
-/* Whether a file is for HDF5MeshReadPart(): it has this layout, or is no HDF5 file at all, which is told there; PETSC_FALSE for HDF5
-   files of others. Not collective. [out] dim - highest dimension of the elements, or 0 */
+/* Whether HDF5MeshReadPart() reads a file, or has the reason why not: it has this layout, or is no HDF5 file. PETSC_FALSE for HDF5
+   files of another layout. Not collective. [out] dim - highest dimension of the elements, or 0 */
 PetscErrorCode HDF5MeshProbe(const char path[], PetscBool *is, PetscInt *dim);
 /* Reads points and elements part by part: of n rows those from n part / num_parts on. Names and groups are read whole. Not
    collective. [out] reason - why the file cannot be used, "" if it can [len] */

@@ -19,14 +19,14 @@ typedef struct {
   PetscReal *box;     /* the same on all ranks; 0 along z in a plane [num][COMPONENT_BOX] */
 } Components;
 
-/* Collective. [out] components - to be freed by ComponentsDestroy() */
+/* Collective. [out] components - owned by the caller, ComponentsDestroy() */
 PetscErrorCode ComponentsCreate(Level *level, Components *components);
 PetscErrorCode ComponentsDestroy(Components *components);
 /* The components of nodes of any rank. Collective. [in] nodes - global, < 0 for none [num]; [out] component -
    -1 for none [num] */
 PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *components, PetscInt num, const PetscInt nodes[],
                                        PetscInt component[]);
-/* How many components a body has. Not collective. */
+/* Number of components of a body. Not collective. */
 PetscInt ComponentsOfBody(const Components *components, PetscInt body);
 
 #endif

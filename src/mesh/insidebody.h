@@ -1,18 +1,17 @@
-/* insidebody.h -- points in space that all ranks know, and which of them a body has inside. */
+/* insidebody.h -- points on all ranks, and which of them are inside a body. */
 #ifndef MORTISE_INSIDEBODY_H
 #define MORTISE_INSIDEBODY_H
 
 #include "mesh/mesh.h"
 
-/* Points of all ranks in the order of the ranks, and a flag of each; the same on every rank. */
+/* Points of all ranks in the order of the ranks, and a flag for each; the same on every rank. */
 typedef struct {
   PetscInt   num;
   PetscReal *x;    /* [num][dim] */
   PetscBool *flag; /* not set here [num] */
 } GatheredPoints;
 
-/* Gathers the points of all ranks. Collective. [in] mine - of this rank [num][dim]; [out] points - to be
-   destroyed by the caller */
+/* Gathers the points of all ranks. Collective. [in] mine - of this rank [num][dim]; [out] points - owned by the caller */
 PetscErrorCode GatheredPointsCreate(const Level *level, PetscInt num, const PetscReal mine[], GatheredPoints *points);
 PetscErrorCode GatheredPointsDestroy(GatheredPoints *points);
 

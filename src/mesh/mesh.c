@@ -1,8 +1,8 @@
 /* mesh.c -- a mesh: lists of bodies, merged, partitioned, refined level by level.
 
-   Boxes and files of many cells are made, read and parted by all ranks. Other files are the first rank's business until
-   the mesh is whole, so that reading needs no thought of ranks, and mistakes and warnings neither. The coarsest mesh is spread, and every rank refines its own
-   part: the work and the memory that grow with refinement are shared from the beginning. */
+   Boxes and files of many cells are made, read and partitioned by all ranks. Other meshes are made on the first rank alone: so
+   readers, user errors and warnings need no communication. The coarsest mesh is distributed, and each rank refines its part: all
+   ranks share the work and the memory of refinement. */
 #include "mesh/meshimpl.h"
 #include "mesh/forest.h"
 #include "base/compat.h"
@@ -60,8 +60,8 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The merged mesh, whole on the first rank, or the forest of its cells. [in] coarser - halvings that bodies
-   are spared; [out] forest - NULL if the mesh is not to be adapted; else dm and curves are not touched */
+/* Makes the merged mesh, or with -adapt the forest of its cells, on the first rank. [in] coarser - number of coarser levels;
+   [out] forest - NULL without -adapt; else dm and curves are not set */
 static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM *dm, Curves *curves, MeshForest *forest)
 {
   BodyList  *lists;
@@ -91,7 +91,7 @@ static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One more level, its cells not judged yet. */
+/* Appends a level whose cells are not checked yet. */
 static PetscErrorCode MeshAppend_Private(Mesh mesh)
 {
   ArcSides sides;
@@ -114,8 +114,7 @@ PetscErrorCode MeshRefine(Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest level, its cells not judged yet: boxes and files of many cells by all ranks, others body by body on the
-   first one; together from there on. */
+/* Makes the coarsest level, whose cells are not checked yet. */
 static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
 {
   Scene       scene  = mesh->scene;
@@ -159,7 +158,7 @@ static PetscErrorCode MeshClear_Private(Mesh mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A mesh file may join parts of a body too little. */
+/* Warns of parts of a body that are connected by vertices alone. */
 static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscInt dim)
 {
   const Warning hinged = {
@@ -181,8 +180,7 @@ static PetscErrorCode MeshWarnNonManifold_Private(const SceneBody *body, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Levels that the user did not ask for must not fail: where a map bends so much that large cells tangle,
-   there are fewer. */
+/* Coarser levels of boxes must not fail: if a map tangles large cells, there are fewer coarser levels. */
 PetscErrorCode MeshSetUp(Mesh mesh)
 {
   Scene       scene = mesh->scene;

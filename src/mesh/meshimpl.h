@@ -1,7 +1,7 @@
 /* meshimpl.h -- declarations that the files of this module share.
 
-   A body begins as plain lists on the first rank: boxes are written as such, files are turned into such, and all are
-   merged into the one DMPlex. Levels are its tables. Nothing is collective but what says so. */
+   A body begins as plain lists on the first rank, from a box or from a file. All lists are merged into one DMPlex. Levels are its
+   tables. Functions are not collective unless they say so. */
 #ifndef MORTISE_MESHIMPL_H
 #define MORTISE_MESHIMPL_H
 
@@ -17,15 +17,15 @@ typedef struct {
   char   **name; /* [num] */
 } SideNames;
 
-/* What touches and is not joined. */
+/* Connected sets of cells that touch and are not joined. */
 typedef struct {
   PetscInt  num_pieces;            /* of the body: connected sets of cells; 0 for a box, whose pieces are not counted */
   PetscInt  num_nodes, num_facets; /* that coincide with a node of another piece, that lie on a facet of one */
   PetscReal at[3];                 /* the first of them, before the map */
 } UnjoinedPieces;
 
-/* Cells, positions and the facets of those sides that the scene uses. Nodes are the vertices, followed by the others
-   that cells of order 2 have. */
+/* Cells, positions and the facets of the sides that the scene uses. Nodes are the vertices, then the middle nodes of cells of
+   order 2. */
 typedef struct {
   PetscInt       dim, num_cells, num_vertices, num_nodes, num_facets;
   PetscInt      *cell_type;       /* ElementType [num_cells] */
@@ -42,12 +42,12 @@ typedef struct {
   UnjoinedPieces unjoined;
 } BodyList;
 
-/* All nodes are vertices to begin with. */
+/* Allocates lists whose nodes are all vertices. */
 PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,
                                 BodyList *list);
 PetscErrorCode BodyListDestroy(BodyList *list);
 
-/* Splits "a+b" and adds the parts that are not there yet. */
+/* Splits "a+b" and adds the new parts. */
 PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
 /* All sides of a body that the scene's boundaries and pairs name. */
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
@@ -75,16 +75,16 @@ PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const Side
 /* Warns of pieces that touch and are not joined; for the first rank. Not collective. */
 PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
 
-/* Warns of bodies that overlap by more than a pair between them explains; those that are tied may. Collective. */
+/* Warns of bodies that overlap away from the sides of a pair between them; tied bodies may overlap. Collective. */
 PetscErrorCode BodyOverlapWarn(const Level *level);
 
-/* How many times all bodies can be made of cells twice as large, and should be, for the sake of solvers. [in]
-   num_ranks - to share the coarsest mesh */
+/* Number of coarser levels of boxes: how often the cells of all bodies can be twice as large, if solvers use levels.
+   [in] num_ranks - that share the coarsest mesh */
 PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks);
-/* Takes so many halvings of its edges from a box. */
+/* Makes the cells of a box larger by so many doublings of their edges. */
 void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times);
 
-/* Where the cells and vertices of lists are among the points of a DM. */
+/* Numbers of the cells and vertices of lists as points of a DM. */
 typedef struct {
   PetscInt   num_bodies, num_cells, num_vertices;
   PetscInt **point;        /* of every cell of every body [num_bodies][num_cells] */
@@ -93,8 +93,7 @@ typedef struct {
 
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering);
 PetscErrorCode NumberingDestroy(Numbering *numbering);
-/* Shapes of one dimension, each a list of vertices in PETSc's order; and, once they are bounded, of the
-   shapes that bound them. */
+/* Shapes of one dimension. Each has a list of vertices in PETSc's order and, after ShapesBound(), one of its facets. */
 typedef struct {
   PetscInt  num;
   PetscInt *type;                            /* ElementType of order 1 [num] */
@@ -102,7 +101,7 @@ typedef struct {
   PetscInt *cone_start, *cone, *orientation; /* NULL before ShapesBound() [num+1], [cone_start[num]] twice */
 } Shapes;
 
-/* Room for shapes that ShapesAdd() adds. */
+/* Allocates shapes for ShapesAdd(). */
 PetscErrorCode ShapesCreate(PetscInt max_shapes, PetscInt max_vertices, Shapes *shapes);
 PetscErrorCode ShapesDestroy(Shapes *shapes);
 void           ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[]);
@@ -123,11 +122,11 @@ typedef struct {
 /* From the cells of order 2 in lists. Collective on the DM. */
 PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numbering, Curves *curves);
 PetscErrorCode CurvesDestroy(Curves *curves);
-/* How many numbers there are on this rank. */
+/* Number of numbers on this rank. */
 PetscErrorCode CurvesGetSize(const Curves *curves, PetscInt *size);
-/* Lets curves go the way of a DM. Collective. [in] dm - before; sf - what DMPlexDistribute() gave */
+/* Distributes curves as a DM was. Collective. [in] dm - before the distribution; [in] sf - of DMPlexDistribute() */
 PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves);
-/* Puts those nodes of a level in place that curves know. [in,out] X - [num_nodes][dim] */
+/* Sets the positions of the nodes that curves have. [in,out] X - [num_nodes][dim] */
 PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[]);
 
 /* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be
@@ -155,14 +154,13 @@ PetscErrorCode MeshFileDestroy(MeshFile *files);
    parts; these know nothing of each other yet */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
 
-/* Whether each rank makes its own part of the mesh: boxes of many cells. [in] coarser - halvings that bodies
-   are spared */
+/* Whether each rank makes its part of the mesh: for boxes of many cells. [in] coarser - number of coarser levels */
 PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
 /* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist. [out] curves - none */
 PetscErrorCode BoxPartsCreate(Scene scene, PetscInt coarser, DM *dm, Curves *curves);
 
-/* From how many cells on files are made by all ranks: a mesh of fewer is small everywhere; and from how many they are parted by all, too: METIS
-   takes some 200 bytes for a cell on the first rank. */
+/* Least number of cells of files that all ranks connect: a smaller mesh needs little memory on one rank. Least number that all ranks
+   partition as well: METIS takes some 200 bytes for each cell on the first rank. */
 typedef struct {
   PetscInt parts, parallel;
 } FileLimits;
@@ -171,8 +169,8 @@ extern const FileLimits FILE_LIMITS;
 
 /* Whether mesh files may be read and parted by all ranks. */
 PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
-/* The mesh of all files, made by parts. Collective. [in] refine - how often it will be; [out] good - whether there is one: where files have few
-   cells, or anything is to be told about them, there is none */
+/* The mesh of all files, made by parts. Collective. [in] refine - number of later refinements; [out] good - whether there is one:
+   not if files have few cells, errors, or a reason for a warning */
 PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good);
 
@@ -182,9 +180,8 @@ PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt r
 PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
 /* Whether order 2 has a node in the middle of an edge, a facet or a cell. */
 PetscErrorCode PointHasMiddle(DM dm, PetscInt point, PetscBool *has);
-/* The points that carry the nodes behind the vertices in an element of order 2: edges, quads of a hexahedron, the point
-   itself. [in] vertices - in the element's order, which need not be that of PointGetVertices(); [out] middles -
-   [ELEMENT_MAX_NODES] */
+/* The points with the middle nodes of an element of order 2: edges, quads of a hexahedron, the point itself. [in] vertices - in the
+   order of the element, which may differ from that of PointGetVertices(); [out] middles - [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetMiddles(DM dm, PetscInt point, const PetscInt vertices[], PetscInt *num, PetscInt middles[]);
 /* The facet of a cell that has exactly these vertices, in any order. */
 PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscInt vertices[], PetscInt *facet);
@@ -193,7 +190,7 @@ PetscInt PointGetNode(const Level *level, PetscInt point);
 /* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out. [out] nodes - local
    [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
-/* The point of the mesh that each local node is on. [out] point - [num_nodes], freed by the caller */
+/* The point of the mesh of each local node. [out] point - [num_nodes], owned by the caller, PetscFree() */
 PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
 /* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out]
    shared - [end of the chart], freed by the caller */
@@ -211,7 +208,7 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 PetscInt SceneMaxOrder(Scene scene);
 /* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
-/* Its steps: cell_material and cell_body, from the label */
+/* Parts of LevelCreateTables(): cell_material and cell_body, from the label; */
 PetscErrorCode LevelSetCellMaterials(Level *level);
 /* or, for a refined level, from where its cells come from; [in] transform - from coarse to fine */
 PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform transform, Level *fine);
@@ -219,58 +216,55 @@ PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform tra
 PetscErrorCode LevelSetCells(Level *level);
 /* nodes: number, owner, body, local section of the DM, and cells by LevelSetCells(). Collective. */
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
-/* Puts nodes that are on the axis of an axisymmetric scene but for roundoff exactly there. User errors: a
-   node beyond the axis.
-   Collective. */
+/* Moves nodes that are on the axis of an axisymmetric scene up to roundoff exactly there. User errors: a node with a negative
+   radius. Collective. */
 PetscErrorCode LevelSetAxis(Level *level);
-/* Positions of nodes. User errors: a map that is not finite, a node beyond the axis. Collective. [in] curves
-   - may be NULL */
+/* Sets the positions of nodes. User errors: a map that is not finite; a node with a negative radius. Collective.
+   [in] curves - optional, may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
-/* Positions before maps of a level that none had to keep so far. */
+/* Sets the positions before maps of a level that does not have them yet. */
 PetscErrorCode LevelKeepUnmapped(Level *level);
-/* The level with its nodes where they are before maps; a borrowed copy. */
+/* A copy of the level with its nodes before maps; arrays are borrowed. */
 Level LevelBeforeMap(const Level *level);
-/* Looks on the coarsest level for sides that are taken for smooth, and moves its nodes of order 2. Collective. */
+/* Finds the smooth sides on the coarsest level, and moves its middle nodes to their curves. Collective. */
 PetscErrorCode LevelBeginArcs(Level *level);
 
-/* Sides that are taken for smooth, and those that must stay flat. Of files of first order, and seen from outside. */
+/* Smooth sides, and sides that must stay flat, of files of first order; facets are seen from outside. */
 typedef struct {
   PetscBool any; /* the same on all ranks */
   Facets    round, flat;
 } ArcSides;
 
-/* The names of a body's sides that may be taken for smooth, and of those that only slide, joined. [out] each
-   freed by the caller, NULL if there are none */
+/* The names of a body's sides that may be smooth, and of those with a fixed normal displacement, joined by '+'. [out] each owned by
+   the caller, PetscFree(); NULL if there are none */
 PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat);
-/* Decides which bodies have sides that are taken for smooth, and bent. Collective. [out] any - whether there
-   are such bodies */
+/* Finds the bodies with smooth sides that are curved. Collective. [out] any - whether there are such bodies */
 PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
-/* Whether facets of first order bend as one patch, on any rank. Collective. */
+/* Whether facets of first order form a curved patch, on any rank. Collective. */
 PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
 /* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
 PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
 PetscErrorCode ArcSidesDestroy(ArcSides *sides);
-/* Puts vertices of a refined level on the curves over the edges of the coarse one, or the level's own middle
-   nodes on those of its own edges: positions before maps, which both levels have. Collective. */
+/* Moves vertices of a refined level to the curves over the edges of the coarse one, or the middle nodes of a level to the curves
+   over its own edges. Positions are those before maps, which both levels have. Collective. */
 PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
 PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
-/* The offset of an edge from what facets say of it. Two facets of one patch tell the same, and half of the
-   sum is meant; those of two patches tell what is across each other, and the sum is. Sides that are held
-   along their normal stay flat. Returns whether there is any.
-   [in] sums - of offsets [dim], of their squares, of normals that must not see them [dim]; [out] offset - [dim] */
+/* The offset of an edge, from those by its facets. Two facets of one patch give the same offset: it is half of their sum. Two facets
+   of different patches give orthogonal offsets: it is their sum. Sides fixed along their normal stay flat. Returns whether the
+   offset is not zero.
+   [in] sums - of offsets [dim], of their squares, of normals along which there must be none [dim]; [out] offset - [dim] */
 PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
-/* Room for facets; all facets of first order seen from outside, whatever the sense of their cells. */
+/* Allocates facets; collects all facets of first order, seen from outside for any sense of their cells. */
 PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
 void           FacetsTurnOut(const Level *level, Facets *facets);
 
 /* The tables and positions of a DM that is parted, cells not turned. Collective. */
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);
-/* The same for a refined level that has its prolongation. Collective. [in] sides - of bodies of order 1 whose
-   new vertices go on curves */
+/* The same for a refined level that has its prolongation. Collective. [in] sides - smooth sides of bodies of order 1 */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
-/* Lets all cells run anticlockwise, or the facets of solids seen from outside. User errors: a degenerate or
-   tangled cell, a map that folds a body; with sound none, but this tells. Collective. [out] sound - the same
-   on all ranks; or NULL */
+/* Orients all cells anticlockwise, or solids so that facets are anticlockwise from outside. User errors: a degenerate or tangled
+   cell, a map that folds a body. Collective.
+   [out] sound - false in place of a user error, the same on all ranks; optional, may be NULL */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
 /* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
@@ -282,13 +276,13 @@ PetscErrorCode LevelDestroy(Level *level);
    from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
 
-/* Curves of files under bodies of order 1, NULL where there are none: from the coarsest level; one level finer, which
-   moves the nodes of the finest level of the mesh onto them. Collective. */
+/* Curves of files of second order under bodies of order 1: mesh->shape, NULL where there are none. Create makes them from the
+   coarsest level. Refine refines them, and moves the nodes of the finest level of the mesh to them. Collective. */
 PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves);
 PetscErrorCode MeshShapeRefine(Mesh mesh);
 PetscErrorCode MeshShapeDestroy(Mesh mesh);
 
-/* What is shared out among the parts of a mesh: the work of unknowns, and that of contact. */
+/* The loads that a partition balances: the work of unknowns, and that of contact. */
 enum { PARTITION_MAX_WEIGHTS = 2 };
 typedef struct {
   PetscInt   num, num_parts; /* 1, unless enough facets may touch */
@@ -313,7 +307,8 @@ PetscInt CellGraphWeight(PetscReal distance, PetscReal most);
 /* Appends edges between cells whose facets may touch. [in] level - its dim and coords; reach - negative: a facet's own size */
 PetscErrorCode CellGraphAddContact(const Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
                                    PetscInt weight, CellGraph *graph);
-/* Parts the graph by METIS. Not collective. [in] level - its dim, num_cells, cell_type and cell_body; refine - how often the mesh will be; [out] part - [level->num_cells] */
+/* Partitions the graph by METIS. Not collective. [in] level - its dim, num_cells, cell_type and cell_body; [in] refine - number of
+   later refinements; [out] part - [level->num_cells] */
 PetscErrorCode CellGraphCut(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
                             PetscInt num_parts, PetscInt part[]);
 PetscErrorCode CellGraphDestroy(CellGraph *graph);
@@ -331,17 +326,16 @@ enum {
   CONTACT_WEIGHT = 5
 }; /* of an edge across contact, against 1 across a facet: coupling of D and M and of the condensed rows */
 
-/* The rank of every cell of the whole mesh, which lies on the first rank; other ranks have none and ask the
-   same. Not collective.
-   [in] refine - how often it will be; contact_weight - of an edge across contact, 1 across a facet; 0: as if
-   bodies did not touch; bricks - which each cell stands for, NULL: one; [out] part - [level->num_cells] */
+/* The rank of each cell of the mesh, which is whole on the first rank; other ranks have no cells. Not collective.
+   [in] refine - number of later refinements; [in] contact_weight - of an edge across contact, relative to one across a facet; 0
+   for bodies that do not touch; [in] bricks - of each cell, NULL for one; [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight,
                                 const PetscInt bricks[], PetscInt num_parts, PetscInt part[]);
-/* The same for a DM that is whole on the first rank, by its vertices. Collective. [out] part - freed by the caller */
+/* The same for a DM that is whole on the first rank, by its vertices. Collective. [out] part - owned by the caller, PetscFree() */
 PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscInt bricks[], PetscInt *num_cells,
                                PetscInt **part);
-/* Spreads the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - how often it
-   will be; [out] origin - the point of the whole DM that each of this rank was, freed by the caller; or NULL */
+/* Distributes the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - number of later refinements;
+   [out] origin - the point of the whole DM of each point of this rank, owned by the caller, PetscFree(); optional, may be NULL */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin);
 
 /* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
@@ -352,16 +346,15 @@ typedef struct {
   PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
 } MortarChoice;
 
-/* Turns pairs that are not fixed, as few as the order says, so that the fixed ones alone close cycles. Not
-   collective.
-   [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long
-   search met none */
+/* Exchanges the sides of pairs that are not fixed, the last ones of the order first, so that only fixed pairs form cycles. Not
+   collective. [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search
+   has found none */
 PetscErrorCode MortarChoiceOrient(const MortarChoice *graph, PetscBool turned[], PetscBool *found);
-/* Whether some pair leads back to itself. Not collective. [in] turned - [num] */
+/* Whether pairs form a cycle. Not collective. [in] turned - [num] */
 PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool turned[], PetscBool *cycle);
 
-/* Decides the roles left open; notes given ones that are unfavourable. User errors: a side that meets itself,
-   or another side twice. Collective. */
+/* Chooses the nonmortar side of pairs that leave it open; logs unfavourable given ones. User errors: a pair whose sides share
+   facets; two pairs of the same facets. Collective. */
 PetscErrorCode MortarChoiceMake(Mesh mesh);
 
 #endif

@@ -1,37 +1,34 @@
 /* mortarchoice.c -- the choice of the nonmortar side of each pair.
 
-   The softer body (behind the sides), else the finer mesh, else the smaller side (THEORY.md, section 7): a
-   stiff nonmortar side would put a stiff skin on a soft mortar side in the condensed matrix. All of it is
-   judged on the coarsest level, where it is cheapest: sides that have a node in common there have it on all
-   levels.
+   It is the side of the softer body, else that of the finer mesh, else the smaller side (THEORY.md, section 7). A stiff nonmortar
+   side would stiffen a soft mortar side in the condensed matrix. The choice is made on the coarsest level: sides with a common node
+   there have one on all levels.
 
-   Roles of all pairs together have no cycle where that can be. Pair p leads to pair q where the mortar side
-   of p touches the nonmortar side of q: there p's multipliers may depend on nodes that q's define. Pairs are
-   decided in sequence, those with the strongest reasons first. Each gets its preferred roles unless these
-   close a cycle with earlier decisions; where neither choice is left, the last free decision is taken back.
-   The answer depends on the order and on nothing else. */
+   The choices of all pairs together form no cycle, if that is possible. Pair p depends on pair q if the mortar side of p touches the
+   nonmortar side of q: then multipliers of p may depend on nodes whose displacements q determines. Pairs are decided in sequence,
+   those with the strongest reasons first. Each gets its preferred choice, unless that closes a cycle with earlier decisions. If
+   neither choice is possible, the last free decision is taken back. The result depends on this order alone. */
 #include "mesh/meshimpl.h"
 #include "mesh/sidemeasure.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include <string.h>
 
-/* Decisions that are tried, for each pair and at least. */
+/* Largest number of decisions: for each pair, and at least. */
 enum { TRIES_PER_PAIR = 20, TRIES = 2000 };
 static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
 static const PetscReal SameSize = 1e-6;    /* relative; sizes this near are equal, so that round-off decides nothing */
 
-/* What speaks for a choice, weak to strong. */
+/* Reasons for a choice, weak to strong. */
 typedef enum { REASON_NONE, REASON_SIZE, REASON_FACETS, REASON_MODULUS } Reason;
 
 typedef struct {
-  PetscBool swap;     /* the roles as they stand */
+  PetscBool swap;     /* whether to exchange the sides */
   Reason    reason;   /* of this choice */
   PetscReal strength; /* the larger measure over the smaller one, in quarters of a power of two */
 } Preference;
 
-/* In whole steps, and none at a ratio that scenes are made of, so that round-off does not order pairs that
-   are alike. */
+/* The strength of a ratio in whole steps, whose limits are no usual ratios: so roundoff does not order pairs that are alike. */
 static PetscReal RatioGetStrength_Private(PetscReal a, PetscReal b)
 {
   return PetscFloorReal(4 * PetscLog2Real(a > b ? a / b : b / a) + 0.37);
@@ -67,7 +64,7 @@ static void PairSwap_Private(ScenePair *pair)
   pair->mortar    = side;
 }
 
-/* What a pair would have for itself. Roles that were given are kept; if they slow the solver down the log says so. */
+/* The preferred choice of a pair. A given choice is kept; if it slows the solver down, the log has a line. */
 static PetscErrorCode PairPreferRoles_Private(Scene scene, Level *level, ScenePair *pair, Preference *prefer)
 {
   SideMeasure nonmortar, mortar;
@@ -130,7 +127,7 @@ static PetscErrorCode SidesShare_Private(Scene scene, Level *level, const SceneS
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A side may meet several others, each in a pair of its own, but no other twice, and never itself. */
+/* A side may have several partners, each in a pair of its own, but not the same partner twice, and not itself. */
 static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt p)
 {
   const ScenePair *pair = &scene->pairs[p];
@@ -190,7 +187,7 @@ static const SceneSide *EndGetSide_Private(Scene scene, const PetscInt pairs[], 
   return end % 2 ? &pair->mortar : &pair->nonmortar;
 }
 
-/* Ends touch where they are of one body: more than is true, and known without a mesh. */
+/* Assumes that all sides of a body touch, which needs no mesh. */
 static void MortarChoiceTouchBodies_Private(Scene scene, const PetscInt pairs[], MortarChoice *graph)
 {
   const PetscInt num = 2 * graph->num;
@@ -251,7 +248,7 @@ static PetscBool ListsShare_Private(PetscInt num_a, const PetscInt a[], PetscInt
   return i < num_a && j < num_b ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Ends touch where they have a node in common. Collective. */
+/* Finds the sides with a common node. Collective. */
 static PetscErrorCode MortarChoiceTouchNodes_Private(Scene scene, Level *level, const PetscInt pairs[],
                                                      MortarChoice *graph)
 {
@@ -292,7 +289,7 @@ static PetscBool MortarChoiceHasPath_Private(const Search *search, PetscInt p, P
   return search->graph->touch[mortar * 2 * search->graph->num + nonmortar];
 }
 
-/* Whether decided pairs lead from one of them back to it. */
+/* Whether decided pairs form a cycle. */
 static PetscBool MortarChoiceReturns_Private(Search *search, PetscInt start)
 {
   const PetscInt num   = search->graph->num;
@@ -313,7 +310,7 @@ static PetscBool MortarChoiceReturns_Private(Search *search, PetscInt start)
   return PETSC_FALSE;
 }
 
-/* Decides the pairs of the order from place k on. */
+/* Decides the pairs of the order from index k on. */
 static PetscBool MortarChoiceDecide_Private(Search *search, PetscInt k)
 {
   const MortarChoice *graph = search->graph;
@@ -362,9 +359,8 @@ PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool t
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks at bodies first: most scenes have no cycle of bodies. If nodes leave no choice, or too many to try,
-   an order of bodies is one; if there is none either, preferences stand, and what they come to is judged by
-   the coupling. Collective.
+/* Considers bodies first: most scenes have no cycle of bodies. If nodes give no choice, or too many, the order of bodies is used. If
+   there is none either, preferences are kept; VICreate() raises a user error if they form a cycle. Collective.
    [out] turned - [graph->num] */
 static PetscErrorCode MortarChoiceSolve_Private(Scene scene, Level *level, const PetscInt pairs[], MortarChoice *graph,
                                                 PetscBool turned[])

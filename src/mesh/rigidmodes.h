@@ -22,10 +22,10 @@ typedef struct {
   PetscReal *mode;      /* orthonormal within a component [num][RIGID_COMPONENTS] */
 } RigidModes;
 
-/* The motions of each component that leave its held directions alone. The same on all ranks. Collective. */
+/* The motions of each component without displacement in fixed directions. The same on all ranks. Collective. */
 PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt num_bodies, RigidModes *modes);
 PetscErrorCode RigidModesDestroy(RigidModes *modes);
-/* Where a motion takes a point. [in] frame - c and s; [in] x - [dim]; [out] u - [dim] */
+/* Displacement of a point by a motion. Not collective. [in] frame - c and s; [in] x - [dim]; [out] u - [dim] */
 void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[], const PetscReal x[], PetscReal u[]);
 
 #endif

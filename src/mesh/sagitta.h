@@ -1,19 +1,19 @@
-/* sagitta.h -- facets that stand for a curve, and how far it is from them. */
+/* sagitta.h -- facets that approximate a curve, and its distance from them. */
 #ifndef MORTISE_SAGITTA_H
 #define MORTISE_SAGITTA_H
 
 #include "mesh/mesh.h"
 
-/* Boundary facets of this rank whose nodes lie on a curve that finer meshes follow better. */
+/* Boundary facets of this rank whose nodes lie on a curve that finer meshes approximate better. */
 typedef struct {
   Facets     facets;
   PetscReal *height; /* mean distance of the curve outward of the facet [facets.num] */
 } Sagittas;
 
-/* Finds them: of the boundary of a body with a map; of the sides of pairs of a file of first order, unless
-   they are polygonal; of the boundary of a body of order 1 from a file of second order. Curves are those of
-   the map and of the nodal normals (eq. 4.5). A cell of order 2 has a curve of its own, what is meant is the
-   rest. Collective. [out] sagittas - owned by the caller */
+/* Finds these facets: of the boundary of a body with a map; of the sides of pairs of a file of first order, unless they are
+   polygonal; of the boundary of a body of order 1 from a file of second order. Curves are those of the map, or of the nodal
+   normals (eq. 4.5). Distances from a cell of order 2 are those from its own curve. Collective. [out] sagittas - owned by the
+   caller */
 PetscErrorCode SagittasCreate(Level *level, Sagittas *sagittas);
 PetscErrorCode SagittasDestroy(Sagittas *sagittas);
 

@@ -1,4 +1,4 @@
-/* sidemeasure.h -- stiffness and size of a side: what pairs are compared by. */
+/* sidemeasure.h -- stiffness and size of a side. */
 #ifndef MORTISE_SIDEMEASURE_H
 #define MORTISE_SIDEMEASURE_H
 
@@ -11,7 +11,7 @@ typedef struct {
   PetscReal size;       /* length of the side, of sides in space area */
 } SideMeasure;
 
-/* Collective. User errors of formulas of moduli. [out] measure */
+/* Computes these means. User errors: formulas of moduli. Collective. [out] measure */
 PetscErrorCode SideMeasureCompute(Scene scene, Level *level, const SceneSide *side, SideMeasure *measure);
 /* h_a of the nodes of a side: the largest length of a facet at node a, in space the square root of its area;
    0 elsewhere.

@@ -14,11 +14,11 @@ typedef struct {
   PetscReal *
       curvature; /* shape operator S = dn/dx in the tangent plane, symmetric, > 0 where convex; 0 on a flat patch, exactly
                            [..][dim][dim] */
-  PetscReal *ridge; /* 0 where the patch goes on around the node or ends with the side; at a feature edge 1 if it is
+  PetscReal *ridge; /* 0 where the patch surrounds the node or ends with the side; at a feature edge 1 if that is
                            convex, -1 if not [..] */
 } SideShape;
 
-/* Collective. [in] facets - of this rank; [out] shape - owned by the caller */
+/* Computes normals and curvatures. Collective. [in] facets - of this rank; [out] shape - owned by the caller */
 PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape);
 PetscErrorCode SideShapeDestroy(SideShape *shape);
 

@@ -1,8 +1,8 @@
 /* support.h -- fixed directions of each node, and their values.
 
-   Displacement data hold Cartesian directions, normal data hold the side's normal. Both become orthonormal
-   directions per node: d_k . u = value_k, k < count. Data that contradict each other at a node are a user
-   error. Nodes on the axis of an axisymmetric scene are fixed along the radius without being told. */
+   Displacement data fix Cartesian directions, normal data fix the side's normal. Both become orthonormal directions of each node:
+   d_k . u = value_k, k < count. Data that contradict each other at a node are a user error. Nodes on the axis of an axisymmetric
+   scene are fixed along the radius automatically. */
 #ifndef MORTISE_SUPPORT_H
 #define MORTISE_SUPPORT_H
 
@@ -39,9 +39,10 @@ typedef struct {
   PetscReal   max_value; /* largest |value| of all ranks */
 } Support;
 
-/* Collective. Axis-aligned directions keep the Cartesian frame exactly. */
+/* Computes the fixed directions and their values. Directions along axes keep the Cartesian frame exactly. User errors: data that
+   contradict each other; a side with a normal displacement that is not flat. Collective. */
 PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
-/* The values of the present time, for the same directions. Collective. */
+/* Sets the values of the present time, for the same directions. Collective. */
 PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
 /* Splits the force of a shared node among its boundaries, f = sum_i f_i with f_i in the directions that boundary i fixes, as near

@@ -17,7 +17,7 @@ static const PetscReal CONE_PIVOT = 1e-4;
 /* Projection: rows enter while the residual along them exceeds this; its last component is between 0 and 1. */
 static const PetscReal CONE_PRICE = 1e-14;
 
-/* The price of the best row of this rank. [out] row - -1 if there is none; [out] sign - with which the row enters */
+/* The largest reduced cost of the rows of this rank. [out] row - of it, -1 for none; [out] sign - of its weight */
 static PetscReal ConeFindBestRow_Private(const Cone *cone, const NNLS *nnls, PetscInt *row, PetscReal *sign)
 {
   PetscReal best = 0;

@@ -1,7 +1,7 @@
 /* cone.h -- nonnegative least squares, kernels and projections over rows that are distributed over ranks.
 
-   There is a row for each contact node, but a row has few entries, and at most m rows are in use. Every rank solves the small
-   problem. Only the choice of the next row is collective: two reductions of a few numbers in each of about m steps. No rank holds rows of
+   There is a row for each contact node. A row has few entries, and at most m rows are in use. Every rank solves the small problem.
+   Only the choice of the next row is collective: two reductions of a few numbers in each of about m steps. No rank has rows of
    another one. */
 #ifndef MORTISE_CONE_H
 #define MORTISE_CONE_H
@@ -15,13 +15,14 @@ typedef struct {
   const PetscBool *equality; /* rows whose weight may have either sign; NULL for none [num] */
 } Cone;
 
-/* Enters the most promising row of all ranks until none has a price above the tolerance. Collective; nnls is the same on all ranks before and after.
-   [in] tolerance - in the unit of nnls' target; [out] weight - of each row of this rank, or NULL [num] */
+/* Adds the row of largest reduced cost of all ranks until none has one above the tolerance. Collective.
+   [in] tolerance - in the unit of the target of nnls; [in,out] nnls - the same on all ranks; [out] weight - of each row of this
+   rank [num]; optional, may be NULL */
 PetscErrorCode ConeSolve(const Cone *cone, PetscReal tolerance, NNLS *nnls, PetscReal weight[]);
 
-/* All q with row.q = 0 for the chosen rows, as rows of a reduced echelon form: motions of few bodies and few components.
-   Collective. [in] take - chosen rows, NULL for all [num]; [out] dim - dimension; [out] kernel - the same on all ranks; room for [m][m],
-   used [dim][m] */
+/* All q with row.q = 0 for the chosen rows, as a basis in reduced echelon form: so each motion has few bodies and components.
+   Collective. [in] take - chosen rows, NULL for all [num]; [out] dim - dimension; [out] kernel - the same on all ranks
+   [dim][m], allocated [m][m] */
 PetscErrorCode ConeKernel(const Cone *cone, const PetscBool take[], PetscInt *dim, PetscReal kernel[]);
 
 /* min |q - target|  over  row.q <= bound for all rows, bound >= 0; row.q = bound where equality is set. Collective.

@@ -1,13 +1,13 @@
-/* contactrows.c -- the constraints of contact on rigid motions, at the places where bodies can touch.
+/* contactrows.c -- the constraints of contact on rigid motions, at the points where bodies can touch.
 
-   A row of B acts at its node: psi reproduces linear functions, so int psi n.u of a rigid motion is D_aa n.u(x_a). This holds even where
-   the partner ends within a facet and x_a lies beyond its end; psi then changes sign on the covered part. The bodies themselves touch up
-   to the end of the partner. Rows of nodes of partly covered facets are therefore replaced by n.[u] at the corners of the covered part. Pairs
-   with friction keep their nodes, where the cones of their forces are. */
+   A row of B acts at its node: psi reproduces linear functions, so int psi n.u of a rigid motion is D_aa n.u(x_a). This holds even
+   where the partner ends within a facet and x_a is outside it; psi then changes sign on the covered part. But the bodies touch only
+   up to the end of the partner. So rows of nodes of partly covered facets are replaced by n.[u] at the corners of the covered
+   part. Pairs with friction keep their nodes, where the cones of their forces are. */
 #include "base/compat.h"
 #include "rigid/rigidimpl.h"
 
-/* n.[u] of all modes at a place. [out] row - [m] */
+/* n.[u] of all modes at a point. [out] row - [m] */
 static void ContactRowsSetRow_Private(VI vi, const ContactPlace *place, const PetscReal n[], PetscReal row[])
 {
   const PetscInt m = vi->rigid_modes.num, dim = vi->level->dim;
@@ -67,8 +67,8 @@ static PetscErrorCode ContactRowsAddCorners_Private(VI vi, PetscInt num, Contact
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows at nodes, but at the overlap boundary instead of beyond it. Collective. [in] of - row of nodal for each row, or NULL: the same; [out]
-   rows - large enough */
+/* Sets rows at nodes, or at the overlap boundary for nodes outside it. Collective. [in] of - row of nodal for each row, NULL if
+   they are the same; [out] rows - allocated by the caller */
 static PetscErrorCode ContactRowsMoveToCorners_Private(VI vi, const ContactRows *nodes, const PetscInt of[],
                                                        ContactRows *rows)
 {
@@ -95,7 +95,7 @@ static PetscErrorCode ContactRowsMoveToCorners_Private(VI vi, const ContactRows 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Room for the corners beside `most` rows. */
+/* Allocates most rows, and the corners besides. */
 static PetscErrorCode ContactRowsAllocate_Private(VI vi, PetscInt most, ContactRows *rows)
 {
   most += ContactRowsListCorners_Private(vi, NULL);

@@ -1,8 +1,8 @@
 /* frictionrows.c -- the forces of contact with friction on rigid motions (eq. 16.7).
 
-   A node with friction carries forces of the cone |r_t| <= coefficient r_n. In a plane its two edges generate it. In space a pyramid
-   around the cone does: what is outside of all pyramids is certainly no equilibrium, what is inside may be one. Tresca's limit bounds no cone: its tangents
-   carry any force here, as ties do; boundedfriction.c asks whether their bounds hold. */
+   Forces at a node with friction are in the cone |r_t| <= coefficient r_n. In a plane its two edges generate it. In space a pyramid
+   around the cone takes its place: loads outside all pyramids have no equilibrium, loads inside may have one. Tresca's limit gives
+   no cone: here its tangents can carry any force, as ties do; boundedfriction.c tests their bounds. */
 #include "base/compat.h"
 #include "problem/frictionlaw.h"
 #include "rigid/rigidimpl.h"
@@ -71,7 +71,7 @@ PetscErrorCode FrictionRowsCreate(VI vi, Solvability s)
     s->tangent[r] = (PetscBool)(vi->row_direction[r] && vi->pairs[vi->row_pair[r]]->spec->type != PAIR_TIED);
     if (!s->tangent[r]) continue;
     PetscCall(PetscArraycpy(&s->slide[r * m], &s->nodal.rows[r * m], m));
-    PetscCall(PetscArrayzero(&s->nodal.rows[r * m], m)); // what is left constrains nothing
+    PetscCall(PetscArrayzero(&s->nodal.rows[r * m], m)); // a row of zeros constrains nothing
   }
   PetscCall(FrictionRowsUpdate(vi, s));
   PetscFunctionReturn(PETSC_SUCCESS);

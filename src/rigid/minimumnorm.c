@@ -1,8 +1,8 @@
 /* minimumnorm.c -- the solution of least mean square displacement (eq. 12.7).
 
-   Strains and pressures of a solution are unique. Displacements are unique up to motions that keep pressed contacts closed and penetrate no
-   other contact. Over these motions the mean square displacement of floating bodies has one minimum. It is a quadratic problem with
-   as many unknowns as there are free motions; its constraints are the remaining gaps. */
+   Strains and pressures of a solution are unique. Displacements are unique up to motions that keep pressed contacts closed and give
+   no overlap elsewhere. Over these motions, the mean square displacement of floating bodies has one minimum: a quadratic problem
+   with one unknown for each free motion and the remaining gaps as constraints. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "rigid/rigidimpl.h"

@@ -1,13 +1,12 @@
-/* nearnullspace.c -- rigid motions as near null space.
+/* nearnullspace.c -- rigid body modes as near null space.
 
-   Smoothed aggregation needs the motions of each body as vectors of their own: sums over bodies lose them. In the unknowns
-   y a motion is y = T^-1 u: the ordinary unknowns of u~ = S^-1 u, F u~ at special nodes, and (B u)_row / D_row where
-   a row of B is an unknown. */
+   Smoothed aggregation needs the modes of each body as separate vectors. In the unknowns y, a mode is y = T^-1 u: u~ = S^-1 u at
+   ordinary nodes, F u~ at nodes with a frame, and (B u)_row / D_row where a row of B is an unknown. */
 #include "base/compat.h"
 #include "base/log.h"
 #include "rigid/nearnullspace.h"
 
-/* A vector shorter than this share of its first length is a combination of the ones before it. */
+/* A vector shorter than this share of its first length depends linearly on the ones before it. */
 static const PetscReal DEPENDENT_MODE = 1e-8;
 
 /* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. Those of a plane serve
@@ -35,7 +34,7 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Orthonormalizes against the vectors before; drops it where nothing is left (its body is fully held). */
+/* Orthonormalizes a vector against those before, and drops it if it depends on them: its body is fixed. */
 static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
 {
   PetscReal   before, after;
@@ -64,7 +63,7 @@ PetscErrorCode NearNullSpaceAttach(VI vi)
   MatNullSpace   space;
 
   PetscFunctionBeginUser;
-  if (!vi->basis) PetscFunctionReturn(PETSC_SUCCESS); // made from a matrix, not from bodies
+  if (!vi->basis) PetscFunctionReturn(PETSC_SUCCESS); // an inequality from a matrix has no bodies
   PetscCall(LogStageBegin(STAGE_CONDENSE));
   PetscCall(VecDuplicate(vi->f, &u));
   PetscCall(VecDuplicateVecs(vi->upper, max, &vectors));

@@ -1,14 +1,14 @@
-/* regularization.c -- a diagonal that makes the matrix definite where contact alone holds bodies (eq. 12.6).
+/* regularization.c -- a diagonal that makes the matrix definite where only contact holds bodies (eq. 12.6).
 
-   Small stiffnesses are added at a few nodes of each component that floats. The nodes are as far from each other as possible: enough to
-   resist every rigid body mode, and so few that the component keeps its own stiffness. They are not part of the problem: the proximal
-   point iteration of solve removes their effect. */
+   Small stiffnesses are added at a few nodes of each floating component, as far from each other as possible. They resist every rigid
+   body mode, but hardly change the stiffness of the component. They are not part of the problem: the proximal point iteration of
+   solve removes their effect. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "rigid/rigidimpl.h"
 
-/* Added stiffness relative to that of bodies: the error of each proximal step falls by this factor, and the condition number of the matrix
-   is its inverse at least. */
+/* Added stiffness relative to that of bodies. The error of each proximal step falls by this factor; the condition number of the
+   matrix is at least its inverse. */
 static const PetscReal REGULARIZATION = 1e-6;
 /* Loads move bodies towards a target this many times farther than the largest gap, as far as contact permits. */
 static const PetscReal TARGET_DISTANCE = 1e3;
@@ -77,8 +77,8 @@ static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body that pairs connect to it: contact with that one
-   holds it no firmer. The diagonal of a nearly incompressible body shows the bulk modulus, but contact holds it by the shear modulus.
+/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body that pairs connect to it: contact with that
+   body is no stiffer. The diagonal of a nearly incompressible body has the bulk modulus, but contact resists by the shear modulus.
    Without their ratio, at Poisson's ratio 0.4999, the iteration takes three times as many steps. [out] weak - [num_bodies] */
 static PetscErrorCode RegularizationGetStiffness_Private(VI vi, PetscReal weak[])
 {

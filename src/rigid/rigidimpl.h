@@ -10,12 +10,12 @@ PetscErrorCode ContactRowsCreate(VI vi, Solvability solvability);
 /* Sets forces_at for other coefficients of friction. Collective. */
 PetscErrorCode ContactRowsUpdate(VI vi, Solvability solvability);
 PetscErrorCode ContactRowsDestroy(Solvability solvability);
-/* Borrows the rows. */
+/* The rows as a Cone, borrowed. Not collective. */
 Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
 
-/* Sets what friction adds to solvability; nothing without friction. Not collective. */
+/* Sets slide, tangent, friction and friction_row of solvability; nothing without friction. Not collective. */
 PetscErrorCode FrictionRowsCreate(VI vi, Solvability solvability);
-/* The same for other coefficients. */
+/* The same for other coefficients. Not collective. */
 PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability);
 /* Rows that resist rigid motions where contacts are pressed: tangents beside normals. [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool pressed[], PetscReal rows[]);
@@ -23,9 +23,10 @@ PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool
 PetscInt       FrictionRowsCountMost(VI vi);
 PetscErrorCode FrictionRowsDestroy(Solvability solvability);
 
-/* Looks for a motion in chosen modes on which loads do more work than friction with given bounds takes, and which contact does not resist. It proves that there is no
-   equilibrium; where none is found, there may be one or not. Collective. [in] phi - work of the loads / their sum [m]; balanced - rounding of phi; take - [m];
-   [out] q - [m], if found */
+/* Searches, in chosen modes, a motion that contact does not resist and on which loads do more work than friction at its bounds. Such
+   a motion proves that there is no equilibrium; without one, there may be an equilibrium or not. Collective.
+   [in] phi - work of the loads / their sum [m]; [in] balanced - rounding of phi; [in] take - chosen modes [m]; [out] q - the
+   motion, if found [m] */
 PetscErrorCode BoundedFrictionFindMotion(VI vi, Solvability solvability, const PetscReal phi[], PetscReal balanced,
                                          const PetscBool take[], PetscReal q[], PetscBool *found);
 
@@ -34,7 +35,7 @@ PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);
 /* Sets approach and start anew. Collective. */
 PetscErrorCode RegularizationUpdate(VI vi, Solvability solvability);
 
-/* Adds the relative displacement of the two sides at a place. Not collective. [in] q - [m]; [in,out] slip - [3] */
+/* Adds the relative displacement of the two sides at a point. Not collective. [in] q - [m]; [in,out] slip - [3] */
 void SceneMotionAddSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);
 /* The same for one mode, k, times a factor. */
 void SceneMotionAddSlipOfMode(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[]);

@@ -9,7 +9,7 @@ static const PetscReal MOTION_ROUNDING = 1e-8;
 /* A motion opens a contact, or slides, if it does so by more than this part of its size; sizes that differ from 1 by less are not stated. */
 static const PetscReal MOTION_SMALL = 1e-6;
 
-/* What a motion does to the contacts of a component. */
+/* How a motion changes the contacts of a component. */
 enum { HAS_CONTACT = 1, OPENS = 2, STAYS_CLOSED = 4, SLIDES = 8 };
 
 void SceneMotionAddSlipOfMode(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[])
@@ -64,8 +64,8 @@ static void SceneMotionSetAxis_Private(const PetscReal frame[], const PetscReal 
   }
 }
 
-/* What q does to the contacts of each component. Collective. [out] contacts - sums of HAS_CONTACT and so on [pieces.num];
-   [out] nodes - with a multiplier that act on the component [pieces.num] */
+/* Finds how q changes the contacts of each component. Collective. [out] contacts - sums of HAS_CONTACT and so on [pieces.num];
+   [out] nodes - number of nodes with a multiplier that act on the component [pieces.num] */
 static PetscErrorCode SceneMotionFindContacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size,
                                                       PetscInt contacts[], PetscInt nodes[])
 {

@@ -22,12 +22,12 @@ static const PetscReal CURVED = 1e-6;
 static const PetscReal WORK_CHANGE = 1e-3;
 /* Rounding of the residual along a row in use. */
 static const PetscReal RESIDUAL_ROUNDING = 1e-13;
-/* Marginal loads: moved out of the middle of the cone by this part of themselves, they leave the cone ... */
+/* Marginal loads leave the cone if they are moved away from its middle by this part of themselves ... */
 static const PetscReal PERTURBATION = 1e-6;
 /* ... by at least this distance. */
 static const PetscReal OUTSIDE = 1e-11;
-/* A motion that opens no contact by more than this part of its size is a free motion: on curved sides, rows that took over those of removed
-   nodes are not more exact. */
+/* A motion that opens no contact by more than this part of its size is a free motion. On curved sides, rows that have taken over
+   those of removed nodes are not more accurate. */
 static const PetscReal OPENING = 1e-3;
 
 /* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
@@ -99,7 +99,7 @@ static PetscErrorCode SolvabilitySetMatrices_Private(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the places of rows: their nodes, and the component of the mortar node with the largest entry of M. */
+/* Sets the points of rows: their nodes, and the component of the mortar node with the largest entry of M. */
 static PetscErrorCode SolvabilitySetPlaces_Private(VI vi, Solvability s)
 {
   Level         *level = vi->level;
@@ -162,8 +162,8 @@ static PetscErrorCode SolvabilityProjectLoads_Private(const Cone *cone, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds free motions to q so that closed contacts slide least: a body that tips turns about its edge. The sum of squares of the slips is a
-   quadratic form of the free part. [in,out] q - [m] */
+/* Adds free motions to q so that closed contacts slide least: then a body that tips rotates about its edge. The sum of squares of
+   the slips is a quadratic form of the free part. [in,out] q - [m] */
 static PetscErrorCode SolvabilityMinimizeSlip_Private(VI vi, const Cone *cone, const ContactPlace place[],
                                                       PetscReal q[])
 {
@@ -369,7 +369,7 @@ static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Modes of the bodies that the motion moves. Collective. [out] take - [m]; [out] rubs - whether a tangent with friction moves with them */
+/* Modes of the bodies that the motion moves. Collective. [out] take - [m]; [out] rubs - whether they slide with friction */
 static PetscErrorCode SolvabilityTakeMoved_Private(VI vi, const struct _n_Solvability *s, PetscBool take[],
                                                    PetscBool *rubs)
 {
@@ -389,9 +389,9 @@ static PetscErrorCode SolvabilityTakeMoved_Private(VI vi, const struct _n_Solvab
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* With friction: the motion of the same bodies that would follow without it, which friction is too small to resist, or resists just so. A
-   motion that no force of the cones works against would lift off, as none does. The motion stays where friction resists all
-   translations: a tall body tips, and would slide without friction. [in] phi - work / forces; [in] balanced - as of
+/* With friction: replaces the motion by that of the same bodies without friction, which friction is too small to resist, or just
+   large enough. A motion against which no force of the cones does work would open all contacts. The motion stays if friction
+   resists all translations: a tall body tips, but would slide without friction. [in] phi - work / forces; [in] balanced - as of
    SolvabilityChooseTolerance_Private() */
 static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal phi[], PetscReal balanced,
                                                           Solvability s)
@@ -427,7 +427,8 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets SOLVABLE_NOT where friction with given bounds, which cones take for ties, certainly cannot hold the loads. [in] phi - work / forces */
+/* Sets SOLVABLE_NOT where friction with given bounds, for which cones are as for ties, cannot hold the loads. [in] phi - work /
+   forces */
 static PetscErrorCode SolvabilityTryBounds_Private(VI vi, const PetscReal phi[], PetscReal balanced, Solvability s)
 {
   PetscBool *take, found = PETSC_FALSE;
@@ -518,7 +519,7 @@ PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Forgets the motions that were found. */
+/* Deletes the motions. */
 static PetscErrorCode SolvabilityDestroyMotions_Private(Solvability s)
 {
   PetscFunctionBeginUser;
