@@ -145,7 +145,7 @@ static PetscErrorCode SceneReadLevels_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What holds for the whole scene. */
+/* Reads the options of the whole scene. */
 static PetscErrorCode SceneReadGlobal_Private(Scene scene)
 {
   Option   title, thickness, refine, order;
@@ -173,7 +173,7 @@ static PetscErrorCode SceneReadGlobal_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What adaptive meshes with friction cannot do. */
+/* User errors: options that adaptive meshes with friction do not have. */
 static PetscErrorCode SceneCheckAdaptiveFriction_Private(Scene scene)
 {
   PetscFunctionBeginUser;

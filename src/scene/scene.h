@@ -1,4 +1,4 @@
-/* scene.h -- what the user described, checked as far as it can be without a mesh.
+/* scene.h -- the options as plain data, checked as far as possible without a mesh.
 
    Plain data. Absent things are NULL or of zero length. All texts and expressions are owned by the scene. */
 #ifndef MORTISE_SCENE_H
@@ -26,7 +26,7 @@ typedef struct {
       value; /* displacement [dim] with free components, traction [dim], pressure [1]; NULL for BOUNDARY_NORMAL */
 } SceneBoundary;
 
-/* What cells are made of, and what acts inside them. */
+/* The material of cells, and the data that act inside them. */
 typedef struct {
   Expression young, poisson; /* isotropic, else NULL */
   Expression stiffness;      /* upper triangle of the Hooke tensor, else NULL */
@@ -37,7 +37,7 @@ typedef struct {
   Expression initial_strain; /* without stress [4, in space 6], or NULL */
 } SceneMaterial;
 
-/* A part of a body with a material of its own. What its options do not give, it has from the body. */
+/* A part of a body with a material of its own. Data that its options do not give are those of the body. */
 typedef struct {
   PetscInt      body;
   char         *group;  /* physical group of the mesh file: name or number */
@@ -149,7 +149,7 @@ enum {
 };
 
 /* Whether linear systems are solved with the help of coarser meshes, as far as -ksp_type and -pc_type say. */
-/* Where iterative solvers stop. */
+/* The stopping criterion of iterative solvers. */
 typedef enum { STOP_RESIDUAL, STOP_DISCRETISATION } SceneStop;
 
 typedef enum { LEVELS_BY_SIZE, LEVELS_USED, LEVELS_UNUSED } SceneLevels;
@@ -163,7 +163,7 @@ typedef struct {
   PetscReal memory; /* bytes that a run may take, of all ranks together; infinite where nothing was said */
 } SceneStudy;
 
-/* What a datum changes; bits. */
+/* What changes with a datum; bits. */
 typedef enum {
   DATUM_LOAD         = 1,  /* forces */
   DATUM_DISPLACEMENT = 2,  /* given displacements */
@@ -173,7 +173,7 @@ typedef enum {
   DATUM_MESH         = 32, /* the mesh, which is made once */
   DATUM_PRETENSION   = 64  /* a mean axial force, and with it a strain without stress */
 } DatumKind;
-/* What time may multiply. */
+/* Data that time may multiply. */
 #define SCENE_STEPS_SCALABLE (DATUM_LOAD | DATUM_DISPLACEMENT | DATUM_GAP | DATUM_TEMPERATURE)
 
 /* The same scene at several times. */
@@ -187,7 +187,7 @@ typedef struct {
   PetscBool  halved;    /* whether all steps are also solved in halves and quarters */
 } SceneSteps;
 
-/* A number that adaptive meshes are made for. */
+/* A number that adaptive meshes are refined for. */
 typedef enum {
   GOAL_FORCE,    /* the normal force of a pair */
   GOAL_PROBE,    /* von Mises' stress at a probe */
@@ -247,50 +247,50 @@ struct _n_Scene {
 };
 typedef struct _n_Scene *Scene;
 
-/* What a piece of a meridian plane stands for: 2 pi r in an axisymmetric scene, 1 in others. [in] x - [dim] */
+/* The length of the ring of a point: 2 pi r in an axisymmetric scene, 1 in others. Not collective. [in] x - [dim] */
 static inline PetscReal SceneRing(const struct _n_Scene *scene, const PetscReal x[])
 {
   return scene->model == MODEL_AXISYMMETRIC ? 2 * PETSC_PI * x[0] : 1;
 }
 
-/* The measure that integrals carry beside that of the mesh: the ring, or the thickness. */
+/* The factor of integrals over the mesh: the length of the ring, or the thickness. Not collective. [in] x - [dim] */
 static inline PetscReal SceneMeasure(const struct _n_Scene *scene, const PetscReal x[])
 {
   return scene->thickness * SceneRing(scene, x);
 }
 
-/* How much it adds to the degree of an integrand in cells or facets of an order. */
+/* The degree that this factor adds to an integrand in cells or facets of an order. Not collective. */
 static inline PetscInt SceneMeasureDegree(const struct _n_Scene *scene, PetscInt order)
 {
   return scene->model == MODEL_AXISYMMETRIC ? order : 0;
 }
 
-/* Whether a boundary gives a load: what is no support. */
+/* Whether a boundary gives a load, not a support. Not collective. */
 static inline PetscBool SceneBoundaryIsLoad(const SceneBoundary *boundary)
 {
   return (PetscBool)(boundary->kind >= BOUNDARY_TRACTION);
 }
 
-/* Materials have one index: those of the bodies [num_bodies], behind them those of the regions [num_regions]. */
+/* A material by its index: first those of the bodies [num_bodies], then those of the regions [num_regions]. Not collective. */
 static inline const SceneMaterial *SceneGetMaterial(const struct _n_Scene *scene, PetscInt material)
 {
   return material < scene->num_bodies ? &scene->bodies[material].material
                                       : &scene->regions[material - scene->num_bodies].material;
 }
 
-/* The body that a material is of. */
+/* The body of a material. Not collective. */
 static inline PetscInt SceneMaterialBody(const struct _n_Scene *scene, PetscInt material)
 {
   return material < scene->num_bodies ? material : scene->regions[material - scene->num_bodies].body;
 }
 
-/* The first material of a body's regions; the others follow. */
+/* The first material of a body's regions; the others follow. Not collective. */
 static inline PetscInt SceneBodyFirstRegion(const struct _n_Scene *scene, PetscInt body)
 {
   return scene->num_bodies + scene->bodies[body].first_region;
 }
 
-/* Whether a body has strains without stress, in any of its regions. */
+/* Whether a body has strains without stress, in any of its regions. Not collective. */
 static inline PetscBool SceneBodyHasEigenstrain(const struct _n_Scene *scene, PetscInt body)
 {
   const SceneBody *b = &scene->bodies[body];
@@ -305,13 +305,13 @@ static inline PetscBool SceneBodyHasEigenstrain(const struct _n_Scene *scene, Pe
   return PETSC_FALSE;
 }
 
-/* Whether sides of a pair resist sliding. */
+/* Whether a pair has friction. Not collective. */
 static inline PetscBool ScenePairHasFriction(const ScenePair *pair)
 {
   return (PetscBool)(pair->friction || pair->bound);
 }
 
-/* Whether those of any pair do. */
+/* Whether any pair has friction. Not collective. */
 static inline PetscBool SceneHasFriction(const struct _n_Scene *scene)
 {
   for (PetscInt p = 0; p < scene->num_pairs; p++)
@@ -319,7 +319,8 @@ static inline PetscBool SceneHasFriction(const struct _n_Scene *scene)
   return PETSC_FALSE;
 }
 
-/* Whether adaptive meshes have all load steps solved on each of them: slip counts from the step before, on the same mesh. */
+/* Whether all load steps are solved on each adaptive mesh: so it is with friction, since slip counts from the step before on the same
+   mesh. Not collective. */
 static inline PetscBool SceneRepeatsSteps(const struct _n_Scene *scene)
 {
   return (PetscBool)(scene->adapt.on && scene->steps.num && SceneHasFriction(scene));
@@ -330,26 +331,25 @@ PetscBool SceneSidesShare(const char a[], const char b[]);
 
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
-/* Reads every option of the table that -help prints (src/scene/optiontable.c); raises a user error for anything that can be judged without a mesh.
-   Collective on the scene's comm. */
+/* Reads all options of the table that -help prints (src/scene/optiontable.c). User errors: all mistakes that can be found without a
+   mesh. Collective on the scene's comm. */
 PetscErrorCode SceneSetFromOptions(Scene scene);
-/* Raises a user error on options that nothing has read. With before_solve only those outside PETSc's own name spaces (ksp_, pc_, mat_,
-   snes_, ...), since PETSc reads many of its options late; without it, any. -options_allow_unused turns the user error into a
-   warning. Collective. */
+/* User error: an option that nothing has read. With before_solve only options without PETSc's own prefixes count (ksp_, pc_, mat_,
+   snes_, ...), since PETSc reads many of its options late. -options_allow_unused makes it a warning. Collective. */
 PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
-/* t of all formulas from now on. Where no datum of the scene names t, it multiplies loads, given displacements, gap offsets and
-   temperatures, or what -load_steps_scale says. What it changes is added to scene->changed. Raises a user error where a map names t:
-   meshes stay as they are. Collective. */
+/* Sets the t of all formulas. If no datum of the scene names t, it multiplies loads, given displacements, gap offsets and
+   temperatures, or the data of -load_steps_scale. Adds what changes to scene->changed. User error: a map names t, but meshes do not
+   change. Collective. */
 PetscErrorCode SceneSetTime(Scene scene, PetscReal t);
-/* Replaces numbers or formulas of a datum that the scene has: a load, a given displacement, a gap or its offset. What is `free` stays
-   free. Raises a user error on another option, another number of components. Collective.
+/* Replaces a datum of the scene by numbers: a load, a given displacement, a temperature, a gap or its offset. Components that are
+   `free` stay free. User errors: another option; another number of components. Collective.
    [in] option - with its dash, as in the scene; [in] values - [num] */
 PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[]);
 /* Prints every option, its unit and default, grouped. Not collective; needs neither PETSc nor MPI. */
 void SceneHelp(FILE *file);
-/* Prints what was modelled, as far as the scene knows (bodies, materials, loads, pairs). Collective. */
+/* Prints the model as far as it is known without a mesh: bodies, materials, loads, pairs. Collective. */
 PetscErrorCode SceneView(Scene scene);
-/* Begins the list of what was left out and why: "left out:" and a line each. Collective. */
+/* Prints the beginning of the list of omitted terms, with the reasons: "left out:", and a line for each. Collective. */
 PetscErrorCode SceneViewLeftOut(Scene scene);
 PetscErrorCode SceneDestroy(Scene *scene);
 

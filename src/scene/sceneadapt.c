@@ -1,4 +1,4 @@
-/* sceneadapt.c -- adaptive meshes: the error that is asked for, and what ends the search for it. */
+/* sceneadapt.c -- adaptive meshes: the error asked for, and the limits of refinement. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
@@ -104,7 +104,7 @@ static PetscErrorCode AdaptReadTolerances_Private(Scene scene, Option *option)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What belongs to adaptive meshes is read only where there are some, so that it is told otherwise. */
+/* Reads options of adaptive meshes. Without -adapt they are not read, so that they are reported as unused. */
 PetscErrorCode SceneAdaptRead(Scene scene)
 {
   SceneAdapt *adapt = &scene->adapt;
@@ -129,7 +129,7 @@ PetscErrorCode SceneAdaptRead(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a Hooke tensor of the plane leaves the stress across it open in some part of a body, and with it that of von Mises. */
+/* Whether, in some part of a body, a plane Hooke tensor does not determine the stress across the plane, and thus von Mises' stress. */
 static PetscBool AdaptLacksMises_Private(Scene scene, PetscInt body)
 {
   const SceneBody *b = &scene->bodies[body];

@@ -1,4 +1,4 @@
-/* scenebodies.c -- one body: its mesh, and what is of the body as a whole. */
+/* scenebodies.c -- one body: its mesh, and data of the whole body. */
 #include "scene/sceneparts.h"
 #include "base/options.h"
 
@@ -46,7 +46,7 @@ static PetscErrorCode BodyReadBox_Private(Scene scene, SceneBody *body, const Op
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A file, which must be there; what is in it is the mesh's business. */
+/* Reads the option of a mesh file, which must exist; the module mesh reads it. */
 static PetscErrorCode BodyReadFile_Private(Scene scene, SceneBody *body, const Option *file)
 {
   char      found[PETSC_MAX_PATH_LEN];

@@ -20,8 +20,8 @@ static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *bod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks for the datum of one listed side. When one is missing, those of all others have been seen, and what is left is
-   the datum of a side that is not listed. */
+/* Reads the datum of one listed side. If it is missing, those of all other sides have been read, and an unread datum is that of a side
+   that is not listed. */
 static PetscErrorCode BoundaryFindValue_Private(Scene scene, const SceneBody *body, const SceneBoundary *boundary,
                                                 Option *datum)
 {
@@ -74,7 +74,7 @@ static PetscErrorCode BoundaryReadValue_Private(Scene scene, const SceneBody *bo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads one list with its data behind the boundaries that are there already. */
+/* Reads one list of sides with its data, and appends the boundaries. */
 static PetscErrorCode BoundaryReadKind_Private(Scene scene, SceneBody *body, PetscInt kind)
 {
   Option      list, datum;

@@ -1,9 +1,8 @@
 /* scenenames.c -- names of bodies, regions, pairs and probes: they become prefixes of options, so no two may make one option.
 
-   PETSc finds an option by its whole name. Two readings of one option can therefore come only from names that run
-   into the keys of others (body `a` with `-a_bc_traction_<side>` beside a body `a_bc_traction`), from names that
-   PETSc takes for its own (`ksp`), and from PETSc's habit of looking for `-a_young` where `-a_1_young` is not given.
-   All three are refused. */
+   PETSc finds an option by its whole name. One option can have two meanings for three reasons: a name begins as a key of another one
+   (body `a` with `-a_bc_traction_<side>`, and a body `a_bc_traction`); a name is a prefix of PETSc (`ksp`); PETSc reads `-a_young`
+   where `-a_1_young` is not given. All three are refused. */
 #include "scene/sceneparts.h"
 #include <ctype.h>
 #include <string.h>

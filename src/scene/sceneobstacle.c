@@ -50,7 +50,7 @@ static PetscErrorCode ObstacleReadRing_Private(Scene scene, const ScenePair *pai
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where the obstacle is, which way it faces, how round it is: what its shape needs of these. */
+/* Reads the point, the direction and the radius of an obstacle, as its shape needs them. */
 static PetscErrorCode ObstacleReadPlace_Private(Scene scene, const ScenePair *pair, SceneObstacle *obstacle)
 {
   Option point, normal, axis;

@@ -1,4 +1,4 @@
-/* sceneoption.c -- one option: found through the table, read from text, complained about in one sentence (see sceneoption.h). */
+/* sceneoption.c -- one option: found through the table, read from text, with one sentence for a mistake (see sceneoption.h). */
 #include "scene/sceneoption.h"
 #include "scene/sceneparts.h"
 #include <ctype.h>
@@ -297,7 +297,7 @@ static PetscErrorCode CheckNames_Private(const Option *option, Expression e)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Data of solids where the mesh file ought to tell that there are any: not they are wrong. */
+/* Raises the user error for data of solids where the mesh file should have shown that the scene is solid: the data are not wrong. */
 static PetscErrorCode CheckSolid_Private(const Option *option, PetscBool allow_free)
 {
   Expression e;

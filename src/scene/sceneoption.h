@@ -1,8 +1,8 @@
 /* sceneoption.h -- the table of all options, and how a value is read through it.
 
-   Nothing is read that the table does not document: OptionFind() takes a row's pattern and stops the program (an
-   internal error) if there is no such row. Values are read as text and parsed here, because PETSc answers a word
-   where a number belongs with a stack trace, and a user deserves a sentence. No function here allocates, so that a user error leaks nothing. */
+   Only documented options are read: OptionFind() takes a row's pattern, and raises an internal error if there is no such row. Values
+   are read as text and parsed here: for a word in place of a number, PETSc would print a stack trace instead of a sentence. No
+   function here allocates memory, so that a user error leaks none. */
 #ifndef SCENE_OPTION_H
 #define SCENE_OPTION_H
 

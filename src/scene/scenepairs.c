@@ -1,4 +1,4 @@
-/* scenepairs.c -- pairs of sides that meet, and what a pair may not ask of a side. */
+/* scenepairs.c -- pairs of sides, and checks of their sides. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
