@@ -23,15 +23,17 @@ typedef struct {
   PetscBool  closed;                       /* y_n = upper */
   UnitStatus status;                       /* of the tangents; UNIT_FREE: no force */
   PetscReal  direction[FRICTION_TANGENTS]; /* of slip, unit */
+  PetscBool  ended;                        /* the step ended where slip does: it sticks next */
   PetscReal  turning;                      /* resistance to turning: force over slip, across that direction */
 } FrictionUnit;
 
 /* Units with the values and forces of their unknowns: all units on one rank, or each rank's own units. */
 typedef struct {
-  MPI_Comm      comm;   /* of the ranks that share them */
-  PetscInt      n, num; /* unknowns; units */
-  FrictionUnit *unit;   /* [num] */
-  PetscReal    *y, *r;  /* [n] */
+  MPI_Comm      comm;    /* of the ranks that share them */
+  PetscInt      n, num;  /* unknowns; units */
+  FrictionUnit *unit;    /* [num] */
+  PetscReal    *y, *r;   /* [n] */
+  PetscInt      waiting; /* steps since the last one that descended */
 } FrictionUnits;
 
 /* The reduced problem, on the first rank. */
@@ -77,7 +79,7 @@ void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[]);
    unless slip reverses during the step, and negative if the energy rises. Collective. [in] from - y at the
    begin of the step; units have y and r of its end [n]; [in] slope - of the energy without friction, at both
    ends */
-PetscErrorCode FrictionUnitsSearch(const FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
+PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
                                    PetscReal *alpha);
 
 /* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the

@@ -18,6 +18,8 @@ static const PetscReal DESCENT = 0.9;
 /* Tolerance of coarser levels: their solution is only an initial guess. They need no rho, which costs as much
    as two steps. */
 static const PetscReal LEVEL_RTOL = 1e-5;
+/* The law's residual may have this part of the tolerance of systems: the error in the energy norm is larger. */
+static const PetscReal LAW_PART = 0.1;
 /* Accuracy of the systems for rho. */
 static const PetscReal RHO_RTOL = 1e-2;
 /* The first vector for rho is smooth: the limits. Parts of it follow the direction of slip and the number of the unknown,
@@ -41,28 +43,35 @@ typedef struct {
   PetscBool      turns;   /* units have two tangents: slip may turn */
 } Krylov;
 
+/* Tolerance of the law's residual, relative to the forces. */
+static PetscReal FrictionKrylovTolerance_Private(const ActiveSolver solver)
+{
+  return PetscMax(FRICTION_RTOL, solver->rtol > LEVEL_RTOL ? solver->rtol : LAW_PART * solver->rtol);
+}
+
 /* Forces of y, and the residuals of all equations: of the law, and of equations without a unit. [out] size -
    of the forces; [out] done - whether the residuals are small enough */
 static PetscErrorCode FrictionKrylovEvaluate_Private(FrictionMethod method, FrictionStep *step)
 {
   const ActiveSolver solver = method->solver;
   Krylov            *t      = method->data;
-  const PetscReal    rtol   = PetscMax(FRICTION_RTOL, solver->rtol);
-  PetscReal          rest, law, reference = t->reference;
+  const PetscReal    rtol   = FrictionKrylovTolerance_Private(solver);
+  PetscReal          rest, law, forces, reference = t->reference;
   PetscBool          suffices;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSolverResidual(solver, t->all, t->y, t->r, t->f, &rest));
   PetscCall(ActiveSetGather(solver->set, t->r, method->units.r));
   PetscCall(ActiveSetGather(solver->set, t->y, method->units.y));
+  PetscCall(FrictionUnitsResidual(&method->units, PetscMax(FRICTION_RTOL, solver->rtol), &law, &forces));
   PetscCall(FrictionUnitsResidual(&method->units, rtol, &law, &step->size));
   t->size = step->size;
   if (rest <= solver->rtol * reference)
     PetscCall(FullSolverMeasure(solver, t->y, t->f, t->reference, &reference, NULL));
-  PetscCall(ActiveSolverSuffices(solver, t->y, rest, PetscMax(step->size, reference), &suffices));
+  PetscCall(ActiveSolverSuffices(solver, t->y, rest, PetscMax(forces, reference), &suffices));
   step->residual = PetscSqrtReal(rest * rest + law * law);
   step->done     = (PetscBool)(suffices && law <= rtol * step->size);
-  step->size     = PetscMax(step->size, t->reference);
+  step->size     = PetscMax(forces, t->reference);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -173,7 +182,7 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
 static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscReal residual, FrictionStep *step,
                                                    PetscReal *forcing)
 {
-  const PetscReal rtol = PetscMax(FRICTION_RTOL, method->solver->rtol);
+  const PetscReal rtol = FrictionKrylovTolerance_Private(method->solver);
   Krylov         *t    = method->data;
   FrictionReport  count;
 
@@ -205,9 +214,10 @@ static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
   PetscCall(VecAXPY(t->y, 1, t->d));
   PetscCall(FrictionKrylovEvaluate_Private(method, step));
   if (!step->done) PetscCall(FrictionKrylovSearch_Private(method, step));
-  t->ratio   = before.residual > 0 ? step->residual / before.residual : 1;
-  t->waiting = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
-  t->least   = PetscMin(t->least, step->residual);
+  t->ratio              = before.residual > 0 ? step->residual / before.residual : 1;
+  t->waiting            = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
+  t->least              = PetscMin(t->least, step->residual);
+  method->units.waiting = t->waiting;
   if (!step->done && t->waiting >= PATIENCE) method->pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -217,9 +227,10 @@ static PetscErrorCode Restart_Krylov(FrictionMethod method)
   Krylov *t = method->data;
 
   PetscFunctionBeginUser;
-  t->least   = PETSC_MAX_REAL;
-  t->forcing = FIRST_FORCING;
-  t->waiting = 0;
+  t->least              = PETSC_MAX_REAL;
+  t->forcing            = FIRST_FORCING;
+  t->waiting            = 0;
+  method->units.waiting = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -74,9 +74,10 @@ static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep 
   if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionReducedSearch_Private(t, &step->shortened));
   if (step->shortened) PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
-  t->waiting = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
-  t->least   = PetscMin(t->least, step->residual);
-  *failed    = (PetscBool)(t->waiting >= PATIENCE);
+  t->waiting     = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
+  t->least       = PetscMin(t->least, step->residual);
+  units->waiting = t->waiting;
+  *failed        = (PetscBool)(t->waiting >= PATIENCE);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -98,8 +99,9 @@ static PetscErrorCode Restart_Reduced(FrictionMethod method)
   Reduced *t = method->data;
 
   PetscFunctionBeginUser;
-  t->least   = PETSC_MAX_REAL;
-  t->waiting = 0;
+  t->least              = PETSC_MAX_REAL;
+  t->waiting            = 0;
+  method->units.waiting = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -13,6 +13,10 @@
 /* A step is shortened if the slope of the energy at its end is above this part of the slope at its begin.
    BISECTIONS: their number for the part. */
 static const PetscReal OVERSHOOT = 0.1;
+/* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of a shortened step: in
+   space a step passes the end of slip at a distance. */
+static const PetscReal SLIP_ENDS = 0.02;
+enum { SLOW_STEPS = 6 };
 enum { BISECTIONS = 40 };
 
 /* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
@@ -81,7 +85,24 @@ static PetscErrorCode FrictionSearchEnergy_Private(const FrictionUnits *units, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionUnitsSearch(const FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
+/* Marks units whose slip ends at alpha. */
+static void FrictionSearchMark_Private(FrictionUnits *units, const PetscReal from[], PetscReal alpha)
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit *unit = &units->unit[a];
+    PetscReal     end = 0, step = 0;
+
+    for (PetscInt i = 0; i < unit->num; i++) {
+      const PetscReal d = units->y[unit->tangent[i]] - from[unit->tangent[i]];
+
+      end += PetscSqr(from[unit->tangent[i]] + alpha * d - unit->origin[i]);
+      step += d * d;
+    }
+    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && end <= PetscSqr(SLIP_ENDS) * step);
+  }
+}
+
+PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
                                    PetscReal *alpha)
 {
   PetscReal begin, end, inner = 0, outer;
@@ -103,5 +124,6 @@ PetscErrorCode FrictionUnitsSearch(const FrictionUnits *units, const PetscReal f
       outer = middle;
   }
   *alpha = outer;
+  if (units->waiting >= SLOW_STEPS) FrictionSearchMark_Private(units, from, outer);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -165,11 +165,14 @@ static PetscBool FrictionUnitsIsClosed_Private(const FrictionUnit *unit, PetscRe
 static UnitStatus FrictionUnitsSlides_Private(FrictionUnit *unit, const PetscReal q[], PetscReal limit,
                                               const PetscReal tolerance[2])
 {
-  PetscReal size = 0, along = 0;
+  const PetscBool ended = unit->ended;
+  PetscReal       size = 0, along = 0;
 
   for (PetscInt i = 0; i < unit->num; i++) size += q[i] * q[i];
-  size = PetscSqrtReal(size);
+  size        = PetscSqrtReal(size);
+  unit->ended = PETSC_FALSE;
   if (limit <= tolerance[1]) return UNIT_FREE;
+  if (ended) return UNIT_STICK;
   if (unit->status == UNIT_SLIP ? size < limit - unit->resistance * tolerance[0] : size <= limit + tolerance[1])
     return UNIT_STICK;
   for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * q[i];
