@@ -82,12 +82,26 @@ void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[]);
 PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
                                    PetscReal *alpha);
 
+/* The last iterates of the fixed point iteration, for Anderson's acceleration. */
+enum { ANDERSON_DEPTH = 5 };
+typedef struct {
+  PetscInt   num, count; /* units; iterates so far */
+  PetscReal *values;     /* g and f of each kept iterate [ANDERSON_DEPTH + 1][2][num] */
+} FrictionAnderson;
+
+/* Not collective. [in] num - of units of this rank; [out] anderson - to be destroyed by FrictionAndersonDestroy() */
+PetscErrorCode FrictionAndersonCreate(PetscInt num, FrictionAnderson *anderson);
+PetscErrorCode FrictionAndersonDestroy(FrictionAnderson *anderson);
+/* The next iterate. Collective. [in] x - the iterate [num]; [in,out] g - its image, the next iterate [num] */
+PetscErrorCode FrictionAndersonApply(MPI_Comm comm, FrictionAnderson *anderson, const PetscReal x[], PetscReal g[]);
+
 /* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the
    coefficients and bounds, owned by the caller [num] */
 PetscErrorCode FrictionUnitsBeginFixedPoint(FrictionUnits *units, PetscReal **mu, PetscReal **given);
-/* Sets the limit of every unit from its present force. Collective. [out] settled - whether limits no longer change */
+/* Sets the limit of every unit from its present force. Collective. [in,out] anderson - accelerates, NULL for not; [out]
+   settled - whether limits no longer change */
 PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], const PetscReal given[],
-                                   PetscBool *settled);
+                                   FrictionAnderson *anderson, PetscBool *settled);
 
 /* Memory for the units of the first rank; of no others. Not collective. [in] units - borrowed; [in] S - borrowed */
 PetscErrorCode FrictionProblemCreate(FrictionUnits *units, PetscScalar S[], FrictionProblem *problem);

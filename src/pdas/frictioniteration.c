@@ -2,6 +2,9 @@
    Tresca's problems. */
 #include "pdas/frictionimpl.h"
 
+/* Tresca problems after which limits are accelerated: for a small coefficient they settle before. */
+enum { PLAIN_PROBLEMS = 12 };
+
 #define FAILURE_FIXED_POINT                                                                                            \
   "the fixed point iteration over Tresca's friction does not converge, as for a large coefficient"
 
@@ -33,21 +36,26 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Fri
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The second method: Tresca problems; the limits of each follow from the pressures of the one before. Collective. */
+/* The second method: Tresca problems; the limits of each follow from the pressures of the one before, after
+   PLAIN_PROBLEMS with acceleration. Collective. */
 static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas, FrictionMethod method)
 {
-  PetscReal *mu, *given;
-  PetscBool  settled = PETSC_FALSE;
+  PetscReal       *mu, *given;
+  PetscBool        settled  = PETSC_FALSE;
+  PetscInt         problems = 0;
+  FrictionAnderson anderson;
 
   PetscFunctionBeginUser;
+  PetscCall(FrictionAndersonCreate(method->units.num, &anderson));
   PetscCall(FrictionUnitsBeginFixedPoint(&method->units, &mu, &given));
   while (pdas->iterations < pdas->max_it && !pdas->failure && !settled) {
     PetscCall(FrictionIterationNewton_Private(snes, pdas, method));
-    PetscCall(FrictionUnitsFreeze(&method->units, mu, given, &settled));
+    PetscCall(FrictionUnitsFreeze(&method->units, mu, given, ++problems > PLAIN_PROBLEMS ? &anderson : NULL, &settled));
     PetscCallMPI(MPI_Bcast(&settled, 1, MPIU_BOOL, 0, pdas->set.comm)); // the first rank may have all units
   }
   if (!settled) pdas->converged = PETSC_FALSE;
   if (!pdas->converged && !pdas->failure) pdas->failure = FAILURE_FIXED_POINT;
+  PetscCall(FrictionAndersonDestroy(&anderson));
   PetscCall(PetscFree(mu));
   PetscCall(PetscFree(given));
   PetscFunctionReturn(PETSC_SUCCESS);

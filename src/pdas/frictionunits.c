@@ -314,23 +314,29 @@ PetscErrorCode FrictionUnitsBeginFixedPoint(FrictionUnits *units, PetscReal **mu
 }
 
 PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], const PetscReal given[],
-                                   PetscBool *settled)
+                                   FrictionAnderson *anderson, PetscBool *settled)
 {
-  PetscReal most[4] = {0, 0, 0, 0}; // change of a limit; limit, displacement, stiffness
+  PetscReal *x, *g;
+  PetscReal  most[4] = {0, 0, 0, 0}; // change of a limit; limit, displacement, stiffness
 
   PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(units->num, &x, units->num, &g));
   for (PetscInt i = 0; i < units->n; i++) most[2] = PetscMax(most[2], PetscAbsReal(units->y[i]));
   for (PetscInt a = 0; a < units->num; a++) {
     FrictionUnit   *unit  = &units->unit[a];
     const PetscReal limit = given[a] + mu[a] * PetscMax(units->r[unit->normal], 0);
 
-    most[0]     = PetscMax(most[0], PetscAbsReal(limit - unit->bound));
-    most[1]     = PetscMax(most[1], limit);
-    most[3]     = PetscMax(most[3], unit->stiffness);
-    unit->bound = limit;
+    most[0] = PetscMax(most[0], PetscAbsReal(limit - unit->bound));
+    most[1] = PetscMax(most[1], limit);
+    most[3] = PetscMax(most[3], unit->stiffness);
+    x[a]    = unit->bound;
+    g[a]    = limit;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 4, MPIU_REAL, MPI_MAX, units->comm));
   most[1]  = PetscMax(most[1], LIMIT_NOISE * most[2] * most[3]); // open units have limits of the size of roundoff
   *settled = (PetscBool)(most[0] <= FIXED_POINT_RTOL * most[1]);
+  if (anderson && !*settled) PetscCall(FrictionAndersonApply(units->comm, anderson, x, g));
+  for (PetscInt a = 0; a < units->num; a++) units->unit[a].bound = g[a];
+  PetscCall(PetscFree2(x, g));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -23,6 +23,7 @@ mortise_scene_test(incline_solid_iterates SCENE incline_solid CHECK iterates.py 
 mortise_scene_test(incline_large SCENE incline_solid CHECK iterates.py ARGS -block_dm_plex_box_faces 24,24,2)
 mortise_scene_test(tresca_iterates SCENE incline CHECK iterates.py ARGS -floor_friction 0 -floor_friction_bound 2500 -pc_type truncatedmg)
 mortise_scene_test(greco_iterates SCENE greco CHECK iterates.py ARGS -dm_refine 2 -pc_type truncatedmg -cross_check)
+mortise_scene_test(accelerated SCENE greco CHECK accelerated.py RANKS 1 3 ARGS -floor_friction 3 -cross_check)
 mortise_scene_test(greco_cost SCENE greco CHECK cost.py ARGS -dm_refine 2 -pc_type truncatedmg)
 mortise_scene_test(greco_iterates_once SCENE greco CHECK iterates.py RANKS 3 ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(keystone_iterates SCENE keystone CHECK iterates.py ARGS -pc_type truncatedmg)
