@@ -24,7 +24,7 @@ EXCEPT = {
     "slab_punch": (3, "the active set still changed after -snes_max_it iterations"),  # multipliers of order 2 on a side 1e6 times stiffer
 }
 # The couple of these links ends as a concentrated force at the ends of the tie (THEORY 5): the error stalls, and the warning says why.
-UNLIMITED, STALLED, WHY = ["tie_across_gap"], "twice the unknowns have hardly lowered it", "as a concentrated force"
+UNLIMITED, STALLED, WHY = ["tie_across_gap"], "twice the unknowns have hardly lowered it", "the links exert concentrated forces"
 
 
 def run(program, folder, files, more):
