@@ -4,6 +4,8 @@ mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 ARGS ${plates} -adapt 1.
 mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 4e-2)
 mortise_scene_test(edge2d CHECK exact.py RANKS 1 3 LABELS sanitize ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -adapt 2e-3)
 mortise_scene_test(parabola_fine SCENE r4b CHECK parabola.py RANKS 1 ARGS -adapt 2e-3)
+mortise_scene_test(parabola_half SCENE r4b CHECK parabola_half.py RANKS 1 ARGS -adapt 1.2e-3
+  -block_dm_plex_box_lower 0,-2 -block_dm_plex_box_faces 2,2 -block_bc_normal left)
 mortise_scene_test(narrow SCENE r4b CHECK narrow.py RANKS 1 3 ARGS -order 2 -joint_obstacle_gap "(x-0.25)^2/2-0.0025")
 mortise_scene_test(ball CHECK ball.py RANKS 1 3 ARGS -adapt 0.1)
 mortise_scene_test(roles SCENE two_plates CHECK roles.py RANKS 1 ARGS ${plates} -upper_young 8e15 -adapt 1e-2)
