@@ -1,19 +1,19 @@
 # -adapt: estimated errors and error bars against known solutions, from coarse meshes (plates.py, exact.py, parabola.py, roles.py, effectivity.py, true_error.py).
 set(plates -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2)
-mortise_scene_test(two_plates CHECK plates.py RANKS 1 3 ARGS ${plates} -adapt 1.2e-3)
+mortise_scene_test(two_plates CHECK plates.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -adapt 1.2e-3)
 mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 4e-2)
 mortise_scene_test(edge2d CHECK exact.py RANKS 1 3 LABELS sanitize ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -adapt 2e-3)
 mortise_scene_test(parabola_fine SCENE r4b CHECK parabola.py RANKS 1 ARGS -adapt 2e-3)
 mortise_scene_test(parabola_half SCENE r4b CHECK parabola_half.py RANKS 1 ARGS -adapt 1.2e-3
   -block_dm_plex_box_lower 0,-2 -block_dm_plex_box_faces 2,2 -block_bc_normal left)
-mortise_scene_test(narrow SCENE r4b CHECK narrow.py RANKS 1 3 ARGS -order 2 -joint_obstacle_gap "(x-0.25)^2/2-0.0025")
-mortise_scene_test(ball CHECK ball.py RANKS 1 3 ARGS -adapt 0.1)
+mortise_scene_test(narrow SCENE r4b CHECK narrow.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -joint_obstacle_gap "(x-0.25)^2/2-0.0025")
+mortise_scene_test(ball CHECK ball.py RANKS 1 LONG_RANKS 3 ARGS -adapt 0.1)
 mortise_scene_test(roles SCENE two_plates CHECK roles.py RANKS 1 ARGS ${plates} -upper_young 8e15 -adapt 1e-2)
 # Where the mesh holds the solution there is nothing to refine.
 mortise_scene_test(patch2d CHECK nothing.py RANKS 1 3 ARGS -adapt 1e-3)
 mortise_scene_test(patch3d CHECK nothing.py RANKS 1 ARGS -adapt 1e-3)
 # Curves, the axis, space, ties, files: the known number lies within its bar.
-mortise_scene_test(rings CHECK lame.py RANKS 1 3 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt 2e-3)
+mortise_scene_test(rings CHECK lame.py RANKS 1 LONG_RANKS 3 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt 2e-3)
 mortise_scene_test(shells3d CHECK shells.py RANKS 1 ARGS -adapt 2e-2)
 mortise_scene_test(half_discs CHECK swapped.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz2d_graded CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
@@ -26,7 +26,7 @@ mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plat
 # Meshes for a number.
 mortise_scene_test(goal_force SCENE two_plates CHECK goals.py RANKS 1 ARGS ${plates} -adapt_goal force:joint -adapt_goal_tolerance 1e-5)
 mortise_scene_test(goal_probe SCENE two_plates CHECK goals.py RANKS 1 ARGS ${plates} -adapt_goal probe:middle -adapt_goal_tolerance 3e-4)
-mortise_scene_test(goals CHECK shaft.py RANKS 1 3)
+mortise_scene_test(goals CHECK shaft.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(parabola_steps CHECK parabola_steps.py)
 mortise_scene_test(goal_solvers SCENE two_plates CHECK goal_solvers.py RANKS 3 ARGS ${plates} -adapt_goal probe:middle,force:joint -adapt_goal_tolerance 5e-2)
 mortise_scene_test(goal_rings SCENE rings CHECK goal_rings.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt_goal pressure:fit,force:fit,probe:bore -adapt_goal_tolerance 1e-2)
@@ -38,15 +38,15 @@ mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 ARGS ${plates} 
 mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
 # The error itself is known: curves, and supports that move along a curve between the nodes.
-mortise_scene_test(annulus CHECK true_error.py RANKS 1 3 ARGS -order 2 -study adaptive -study_levels 11)
+mortise_scene_test(annulus CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 11)
 mortise_scene_test(annulus_1 SCENE annulus CHECK true_error.py RANKS 1 ARGS -order 1 -study adaptive -study_levels 10)
-mortise_scene_test(edge_2 SCENE edge2d CHECK true_error.py RANKS 1 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 2 -study adaptive -study_levels 12)
+mortise_scene_test(edge_2 SCENE edge2d CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 2 -study adaptive -study_levels 12)
 mortise_scene_test(edge_1 SCENE edge2d CHECK true_error.py RANKS 1 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 1 -study adaptive -study_levels 9)
 # Data between the nodes; stiffness ratios of 1e-6 and 1e6.
-mortise_scene_test(waves CHECK waves.py RANKS 1 3)
+mortise_scene_test(waves CHECK waves.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)
 # Levels of a study give the same bars.
-mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
+mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
 mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -dm_refine 0 -study uniform -study_levels 4)
 # Wherever the origin is.
 mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates} -adapt 5e-2 -upper_dm_plex_box_lower 1000,0 -upper_dm_plex_box_upper 1001,1
@@ -54,17 +54,17 @@ mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # Interrupted, it leaves the files of a mesh and a sentence.
-mortise_scene_test(interrupted SCENE two_plates CHECK interrupted_meshes.py RANKS 1 2 ONLY_RANKS "those of a signal" ARGS ${plates} -adapt 2e-2)
+mortise_scene_test(interrupted SCENE two_plates CHECK interrupted_meshes.py RANKS 1 LONG_RANKS 2 ONLY_RANKS "those of a signal" ARGS ${plates} -adapt 2e-2)
 # Memory.
 mortise_scene_test(memory SCENE two_plates CHECK memory.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # Load steps.
-mortise_scene_test(steps CHECK steps.py RANKS 1 3 ARGS -adapt 2e-2 -load_steps 0.2,0.6,1)
+mortise_scene_test(steps CHECK steps.py RANKS 1 LONG_RANKS 3 ARGS -adapt 2e-2 -load_steps 0.2,0.6,1)
 mortise_scene_test(steps_multigrid SCENE steps CHECK steps.py RANKS 1 ARGS -adapt 2e-2 -load_steps 0.2,1 -pc_type truncatedmg)
 mortise_scene_test(steps_limit SCENE steps CHECK steps_limit.py RANKS 1 ARGS -adapt 2e-2 -load_steps 0.2,1)
-mortise_scene_test(steps_interrupted SCENE two_plates CHECK ../steps/interrupted_steps.py RANKS 1 2 ARGS ${plates} -adapt 1e-1 -load_steps 2)
+mortise_scene_test(steps_interrupted SCENE two_plates CHECK ../steps/interrupted_steps.py RANKS 1 LONG_RANKS 2 ARGS ${plates} -adapt 1e-1 -load_steps 2)
 # Load steps with friction: all of them on each mesh.
 set(fretting -upper_dm_plex_box_faces 12,5 -lower_dm_plex_box_faces 10,4)
-mortise_scene_test(friction_steps SCENE fretting CHECK friction_steps.py RANKS 1 3 ARGS ${fretting} -adapt 4e-2 -load_steps 1,2,4)
+mortise_scene_test(friction_steps SCENE fretting CHECK friction_steps.py RANKS 1 LONG_RANKS 3 ARGS ${fretting} -adapt 4e-2 -load_steps 1,2,4)
 mortise_scene_test(friction_steps_interrupted SCENE fretting CHECK ../steps/interrupted_steps.py RANKS 1 ARGS ${fretting} -adapt 1e-1)
 # Mistakes.
 mortise_mistake(too_large SCENE two_plates ARGS -adapt 1.5 SAYS "-adapt 1.5: give a number above 0 and below 1")

@@ -1,6 +1,14 @@
 # The manual says what the program does.
-foreach(what options summary commands python)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/scratch/guide.${what})
-  add_test(NAME guide.${what} COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/guide.py ${what} $<TARGET_FILE:mortise> ${folder})
-  set_tests_properties(guide.${what} PROPERTIES LABELS guide PROCESSORS 1 TIMEOUT ${MORTISE_TEST_TIMEOUT} ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
+function(guide_test name)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/scratch/guide.${name})
+  list(POP_FRONT ARGN what)
+  add_test(NAME guide.${name} COMMAND ${MORTISE_PYTHON} -B ${PROJECT_SOURCE_DIR}/tests/guide/guide.py ${what} $<TARGET_FILE:mortise> ${folder} ${ARGN})
+  set_tests_properties(guide.${name} PROPERTIES LABELS guide PROCESSORS 1 TIMEOUT ${MORTISE_TEST_TIMEOUT} ENVIRONMENT "${MORTISE_TEST_ENVIRONMENT}")
+endfunction()
+
+guide_test(options options)
+guide_test(summary summary)
+guide_test(python python)
+foreach(part RANGE 2)
+  guide_test(commands_${part} commands ${part} 3)
 endforeach()

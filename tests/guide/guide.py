@@ -3,7 +3,7 @@
 
     guide.py options <mortise>             the chapter of options is what -help prints; with --write it is written anew
     guide.py summary <mortise> <folder>    every key of the summaries of some scenes is in the tables, and every key of the tables occurs
-    guide.py commands <mortise> <folder>   the files of the page are written into the folder, and all its commands run there
+    guide.py commands <mortise> <folder> <part> <parts>   the files of the page are written into the folder, and the commands of each parts-th chapter run there
     guide.py python <mortise> <folder>     the same of the programs in Python, which print what the page says
 
 Prints what is wrong, or nothing."""
@@ -149,21 +149,21 @@ def check_summary(program, folder):
 
 # --- commands ---------------------------------------------------------------------------------------------------------
 
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$\n*((?:^    [^\n]*\n)*)", re.MULTILINE | re.DOTALL)  # language, text, what is said below it
 FILE = re.compile(r'(?:# |// |""")(\w+\.\w+): ')  # the first line of a block that is a file
 
 
-def check_commands(program, folder, python=False):
+def check_commands(program, folder, part=0, parts=1, python=False):
     """Without Gmsh a chapter ends where it is first called. [in] python - run the programs in Python, else all others"""
     environment = os.environ | {"PATH": f"{pathlib.Path(program).resolve().parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(TOP / "src/python"),
                                 "PYTHONDONTWRITEBYTECODE": "1"}
     (folder / "options").symlink_to(TOP / "options")
-    for chapter in GUIDE.read_text().split("\n## "):
-        for language, block, said in re.findall(r"^```(\w*)\n(.*?)^```$\n*((?:^    [^\n]*\n)*)", chapter, re.MULTILINE | re.DOTALL):
-            name = FILE.match(block)
-            if language != "sh":
-                if name:
-                    (folder / name.group(1)).write_text(block)
-                continue
+    chapters = [BLOCK.findall(chapter) for chapter in GUIDE.read_text().split("\n## ")]
+    for language, block, _ in sum(chapters, []):
+        if language != "sh" and FILE.match(block):
+            (folder / FILE.match(block).group(1)).write_text(block)
+    for blocks in [blocks for blocks in chapters if any(language == "sh" for language, _, _ in blocks)][part::parts]:
+        for _, block, said in (found for found in blocks if found[0] == "sh"):
             if block.startswith("gmsh ") and not shutil.which("gmsh"):
                 break
             for line in block.splitlines():
@@ -187,7 +187,8 @@ def main():
         folder = pathlib.Path(sys.argv[3]).resolve()
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        wrong = list({"summary": check_summary, "commands": check_commands, "python": functools.partial(check_commands, python=True)}[what](program, folder))
+        checks = {"summary": check_summary, "commands": check_commands, "python": functools.partial(check_commands, python=True)}
+        wrong = list(checks[what](program, folder, *map(int, sys.argv[4:])))
     print("\n".join(wrong))
     sys.exit(bool(wrong))
 

@@ -27,7 +27,7 @@ mortise_mistake(bool_of_petsc SCENE two_plates SAYS -malloc_debug zoo ARGS -mall
 mortise_mistake(solver_of_petsc SCENE two_plates SAYS "solver type zoo" ARGS -pc_type lu -pc_factor_mat_solver_type zoo)
 mortise_mistake(range_of_mumps SCENE two_plates SAYS "-mat_mumps_icntl_7 99" "0 to 7" ARGS -mat_mumps_icntl_7 99)
 mortise_mistake(viewer_of_petsc SCENE two_plates SAYS -ksp_view nowhere ARGS -ksp_view ascii:nowhere/x)
-mortise_scene_test(terminal SCENE patch2d CHECK terminal.py RANKS 1 3)
+mortise_scene_test(terminal SCENE patch2d CHECK terminal.py RANKS 1 LONG_RANKS 3)
 if(NOT MORTISE_SANITIZE) # an MPI that fails to start leaks
   add_test(NAME hard.start COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/start.py $<TARGET_FILE:mortise>
     ${PROJECT_SOURCE_DIR}/options/patch2d.opts $<TARGET_FILE:api_calls> ${PROJECT_SOURCE_DIR}/options ${PROJECT_SOURCE_DIR}/tests/api)

@@ -52,7 +52,7 @@ mortise_scene_test(nodes_stiff SCENE blocks CHECK stiff.py ARGS -pc_type truncat
   -upper_young 2e10 -lower_dm_plex_simplex 1 -lower_dm_plex_box_faces 16,16,14 -lower_young 5e8 -joint_gap "2*((x-0.4)^2+(y-0.45)^2)")
 
 # --- stopping at the discretisation error ---
-mortise_scene_test(stop SCENE two_plates CHECK stop.py RANKS 1 3 LABELS mpi ARGS -upper_dm_plex_box_faces 64,64 -lower_dm_plex_box_faces 64,64
+mortise_scene_test(stop SCENE two_plates CHECK stop.py RANKS 1 LONG_RANKS 3 LABELS mpi ARGS -upper_dm_plex_box_faces 64,64 -lower_dm_plex_box_faces 64,64
   -stop discretisation -pc_type truncatedmg)
 mortise_scene_test(stop_apart SCENE two_plates CHECK stop_apart.py LABELS mpi ARGS ${plane_coarse} -dm_refine 2 -joint_gap 0.1 -stop discretisation)
 

@@ -4,10 +4,10 @@ mortise_scene_test(labels_plane SCENE two_plates CHECK labels.py ARGS -units m,N
 mortise_scene_test(labels_solid SCENE patch3d CHECK labels.py ARGS -units in,lbf,psi -report)
 
 # Values along lines: against the exact linear displacement and uniform stress of patch tests, on any number of ranks.
-mortise_scene_test(paths_plane SCENE patch2d CHECK paths.py RANKS 1 3
+mortise_scene_test(paths_plane SCENE patch2d CHECK paths.py RANKS 1 LONG_RANKS 3
   ARGS -paths down,slant -path_down_from 0.3,0.75 -path_down_to 0.3,-0.25 -path_down_points 11 -path_down_body upper
        -path_slant_from 0.1,0 -path_slant_to 0.9,0.5 -path_slant_body upper)
-mortise_scene_test(paths_solid SCENE patch3d CHECK paths.py RANKS 1 2
+mortise_scene_test(paths_solid SCENE patch3d CHECK paths.py RANKS 1 LONG_RANKS 2
   ARGS -paths line -path_line_from 0.2,0.3,-0.1 -path_line_to 0.6,0.5,0.7 -path_line_points 9 -path_line_body upper)
 
 mortise_scene_test(colours SCENE patch2d CHECK colours.py)

@@ -18,7 +18,7 @@ mortise_scene_test(scatter_space OWN_RUNS SCENE plates_quads/scene CHECK scatter
 mortise_scene_test(scatter_space_ranks OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
 
 # Random scenes of nearly incompressible bodies.
-mortise_scene_test(scatter_rubber OWN_RUNS SCENE plates_quads/scene CHECK scatter_rubber.py RANKS 1 3 LABELS regression ARGS -title "Random scenes from 0")
+mortise_scene_test(scatter_rubber OWN_RUNS SCENE plates_quads/scene CHECK scatter_rubber.py RANKS 1 LONG_RANKS 3 LABELS regression ARGS -title "Random scenes from 0")
 
 # The tables are what independent.py computes from the scenes.
 add_test(NAME reference.origin COMMAND ${MORTISE_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/independent.py --check)

@@ -14,11 +14,11 @@ mortise_scene_test(memory SCENE two_plates CHECK memory.py ${what_it_takes}
   ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -study uniform -study_levels 5 -study_orders 1,2 -study_memory 100M)
 mortise_scene_test(memory_of_ranks SCENE two_plates CHECK memory.py RANKS 2 ${what_it_takes}
   ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -study uniform -study_levels 5 -study_orders 1,2 -study_memory 180M)
-mortise_scene_test(interrupted SCENE two_plates CHECK interrupted.py RANKS 1 2
+mortise_scene_test(interrupted SCENE two_plates CHECK interrupted.py RANKS 1 LONG_RANKS 2
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3 -study uniform -study_levels 1)
 mortise_scene_test(not_solved SCENE two_plates CHECK not_solved.py
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3 -study uniform -study_levels 1)
-mortise_scene_test(refused SCENE overhang CHECK refused.py RANKS 1 2
+mortise_scene_test(refused SCENE overhang CHECK refused.py RANKS 1 LONG_RANKS 2
   ARGS -block_dm_plex_box_faces 4,4 -table_dm_plex_box_faces 4,4 -study uniform -study_levels 1)
-mortise_scene_test(cube CHECK cube.py RANKS 1 2 ARGS -study uniform -study_levels 3 -study_orders 1,2)
+mortise_scene_test(cube CHECK cube.py RANKS 1 LONG_RANKS 2 ARGS -study uniform -study_levels 3 -study_orders 1,2)
 mortise_scene_test(cube_tetrahedra SCENE cube CHECK cube.py ARGS -study uniform -study_levels 3 -study_orders 1,2 -cube_dm_plex_simplex 1)
