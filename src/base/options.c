@@ -14,6 +14,7 @@
 static TextList arguments; /* what PETSc gets */
 static TextList listed;    /* what OptionsGetGiven() tells, where that is not in the arguments */
 static TextList files;     /* options files as found, in the order of reading; the first as typed */
+static TextList repeated;  /* sentences on options that one file gives two values */
 
 /* What PETSc would read of itself: its files in the order of its own reader, then its variable. */
 static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
@@ -81,12 +82,18 @@ static void OptionsCheckPrefixes_Private(char sentence[], size_t len)
 
 void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char sentence[], size_t len)
 {
-  Reader reader = {.sentence = sentence, .len = len, .target = &arguments, .arguments = &arguments, .files = &files};
+  Reader reader = {.sentence  = sentence,
+                   .len       = len,
+                   .target    = &arguments,
+                   .arguments = &arguments,
+                   .files     = &files,
+                   .repeated  = &repeated};
   int    rank, skip_files = 0;
 
   sentence[0] = '\0';
   TextListClear(&arguments);
   TextListClear(&files);
+  TextListClear(&repeated);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (!rank) {
     for (int a = 1; a < argc; a++)
@@ -101,6 +108,7 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
   (void)MPI_Bcast(sentence, (int)len, MPI_CHAR, 0, MPI_COMM_WORLD);
   TextListBroadcast(&arguments);
   TextListBroadcast(&files);
+  TextListBroadcast(&repeated);
   *argc_out = arguments.num;
   *argv_out = arguments.items;
 }
@@ -151,12 +159,12 @@ static int HasName_Private(const TextList *words, int num, const char name[])
 
 PetscErrorCode OptionsInsertFile(const char name[])
 {
-  char           sentence[USER_ERROR_LENGTH] = "", option[] = "-options_file";
-  char          *copy    = TextListAllocate(NULL, strlen(name) + 1);
-  const Word     words[] = {{option, 0}, {strcpy(copy, name), 0}};
-  TextList       read = {0, NULL}, found = {0, NULL}, present;
-  Reader         reader = {sentence, sizeof(sentence), &read, &read, &found, 0, {NULL}};
-  int            rank, num;
+  char       sentence[USER_ERROR_LENGTH] = "", option[] = "-options_file";
+  char      *copy    = TextListAllocate(NULL, strlen(name) + 1);
+  const Word words[] = {{option, 0}, {strcpy(copy, name), 0}};
+  TextList   read = {0, NULL}, found = {0, NULL}, present;
+  Reader reader = {.sentence = sentence, .len = sizeof(sentence), .target = &read, .arguments = &read, .files = &found};
+  int    rank, num;
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
@@ -242,6 +250,13 @@ void OptionsClear(void)
   TextListClear(&arguments);
   TextListClear(&listed);
   TextListClear(&files);
+  TextListClear(&repeated);
+}
+
+int OptionsGetRepeated(const char *const **sentences)
+{
+  *sentences = (const char *const *)repeated.items;
+  return repeated.num;
 }
 
 const char *OptionsFileName(void)

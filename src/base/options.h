@@ -34,6 +34,10 @@ PetscErrorCode OptionsListExpanded(void);
 /* Forgets all lists. Not collective. */
 void OptionsClear(void);
 
+/* Number of options that one file of OptionsExpand() gives two values, of which the last counts. Not collective.
+   [out] sentences - where, and which [number], owned by the module */
+int OptionsGetRepeated(const char *const **sentences);
+
 /* The first options file as the user typed it, or NULL. Not collective. */
 const char *OptionsFileName(void);
 

@@ -10,7 +10,10 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-enum { MAX_SIZE = 1 << 22 }; /* bytes of a file: text that a person would not write */
+enum {
+  MAX_SIZE  = 1 << 22, /* bytes of a file: text that a person would not write */
+  MAX_NOTED = 1 << 12  /* options of a file that are compared with each other, for the same reason */
+};
 
 /* Tells the first mistake; later ones are its consequences. */
 static void OptionsReaderRefuse_Private(Reader *reader, const char format[], ...)
@@ -128,7 +131,30 @@ static void OptionsReaderReadString_Private(Reader *reader, const char where[], 
   free(own);
 }
 
-/* Appends the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
+/* Notes an option of a file, and tells where the same file gives it another value. Behind -prefix_push a name is not whole. */
+static void OptionsReaderNote_Private(Reader *reader, const char where[], const char name[], const char value[])
+{
+  TextList *const here = reader->here;
+  char            sentence[PETSC_MAX_PATH_LEN + 512];
+  int             last = -1;
+
+  reader->prefixes += OptionsReaderIsWord(name, "-prefix_push") - OptionsReaderIsWord(name, "-prefix_pop");
+  if (!here || !reader->repeated || reader->prefixes || here->num >= 3 * MAX_NOTED) return;
+  for (int i = 0; i < here->num; i += 3)
+    if (OptionsReaderIsWord(name, here->items[i])) last = i;
+  if (last >= 0 && strcmp(value, here->items[last + 1])) {
+    const char *line = strrchr(here->items[last + 2], ','); // where: "<file>, line <number>"
+
+    snprintf(sentence, sizeof(sentence), "%s: %s %s replaces %s of%s", where, name, value, here->items[last + 1],
+             line + 1);
+    TextListAppend(reader->repeated, sentence);
+  }
+  TextListAppend(here, name);
+  TextListAppend(here, value);
+  TextListAppend(here, where);
+}
+
+/* Reads the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
 static int OptionsReaderReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
   const char *name = words[0].text, *next = num_words > 1 ? words[1].text : NULL;
@@ -159,6 +185,7 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
   else {
     TextListAppend(reader->target, name);
     if (value) TextListAppend(reader->target, value);
+    OptionsReaderNote_Private(reader, where, name, value ? value : "");
   }
   return value ? 2 : 1;
 }
@@ -221,9 +248,12 @@ static int OptionsReaderSplitLine_Private(Reader *reader, const char where[], ch
 
 void OptionsReaderReadText(Reader *reader, const char source[], char text[])
 {
-  char *next;
-  int   number = 0;
+  TextList *const outer = reader->here;
+  TextList        here  = {0, NULL};
+  char           *next;
+  int             number = 0;
 
+  reader->here = &here;
   if (!strncmp(text, "\xEF\xBB\xBF", 3)) text += 3; // the mark that some editors put before UTF-8
   for (char *line = text; line && !reader->sentence[0]; line = next) {
     Word *words;
@@ -238,6 +268,8 @@ void OptionsReaderReadText(Reader *reader, const char source[], char text[])
     OptionsReaderReadWords(reader, where, num_words, words);
     free(words);
   }
+  TextListClear(&here);
+  reader->here = outer;
 }
 
 /* Reads an options file that is named at `where`; its options go before those of the command line. */

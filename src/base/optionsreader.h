@@ -23,6 +23,9 @@ typedef struct {
   TextList *target;
   TextList *arguments; // where options of files go
   TextList *files;     // as found, in the order of reading; the first as typed
+  TextList *repeated;  // optional, may be NULL: for each option that one file gives two values, where, as a sentence
+  TextList *here;     // name, value and line of each option of the file that is being read, in turn; NULL outside files
+  int       prefixes; // that are open: names are then not whole
   int       depth;
   char     *open[READER_MAX_DEPTH];
 } Reader;

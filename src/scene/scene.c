@@ -1,6 +1,7 @@
 /* scene.c -- the life of a scene: created empty, filled from the options, destroyed. */
 #include "scene/sceneparts.h"
 #include "base/options.h"
+#include "base/warning.h"
 #include "gmsh/gmsh.h"
 #include "gmsh/hdf5mesh.h"
 #include <string.h>
@@ -184,6 +185,18 @@ static PetscErrorCode SceneCheckAdaptiveFriction_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Warnings: options that one file gives two values. */
+static PetscErrorCode SceneWarnRepeated_Private(void)
+{
+  const char *const *sentences;
+  const int          num = OptionsGetRepeated(&sentences);
+
+  PetscFunctionBeginUser;
+  for (int i = 0; i < num; i++)
+    PetscCall(WarningAdd(&(Warning){.code = "repeated_option", .advice = "delete one"}, "%s", sentences[i]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneSetFromOptions(Scene scene)
 {
   Option allow;
@@ -192,6 +205,7 @@ PetscErrorCode SceneSetFromOptions(Scene scene)
   PetscCall(OptionFind(scene, "-options_allow_unused", NULL, NULL, &allow));
   PetscCall(OptionGetBool(&allow, &scene->allow_unused));
   PetscCall(SceneWarningsRead(scene));
+  PetscCall(SceneWarnRepeated_Private());
   PetscCall(SceneNamesRead(scene));
   if (!scene->allow_unused)
     PetscCall(UnusedOptionsCheckUnknown(scene, PETSC_FALSE)); /* before the options that misspelt ones leave missing */
