@@ -12,7 +12,7 @@
 #define MORTISE_PAIR_H
 
 #include "mesh/mesh.h"
-#include "mesh/support.h"
+#include "support/support.h"
 
 /* Where the covered part of the nonmortar side ends within a facet. */
 typedef struct {

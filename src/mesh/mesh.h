@@ -97,6 +97,16 @@ Level *MeshFinest(Mesh mesh);
 /* Collective. */
 PetscErrorCode MeshDestroy(Mesh *mesh);
 
+/* Names of sides, each without '+'. */
+typedef struct {
+  PetscInt num;
+  char   **name; /* [num] */
+} SideNames;
+
+/* Splits "a+b" and adds the parts that are not there yet. Not collective. */
+PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
+PetscErrorCode SideNamesDestroy(SideNames *names);
+
 /* Facets of a body's side on a level. Collective. [out] facets - owned by the caller, FacetsDestroy() */
 PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const char side[], Facets *facets);
 PetscErrorCode FacetsDestroy(Facets *facets);

@@ -11,12 +11,6 @@
 
 enum { MESH_SENTENCE = 1024 }; /* length of the sentence of a user error */
 
-/* Names of sides, each without '+'. */
-typedef struct {
-  PetscInt num;
-  char   **name; /* [num] */
-} SideNames;
-
 /* Connected sets of cells that touch and are not joined. */
 typedef struct {
   PetscInt  num_pieces;            /* of the body: connected sets of cells; 0 for a box, whose pieces are not counted */
@@ -47,11 +41,8 @@ PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_n
                                 BodyList *list);
 PetscErrorCode BodyListDestroy(BodyList *list);
 
-/* Splits "a+b" and adds the new parts. */
-PetscErrorCode SideNamesAdd(SideNames *names, const char side[]);
 /* All sides of a body that the scene's boundaries and pairs name. */
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
-PetscErrorCode SideNamesDestroy(SideNames *names);
 
 /* Area or volume of a cell at X, negative where it is inside out; of a cell of a list, of at most an order. [in] X - [nodes][dim] */
 PetscReal CellGetMeasure(ElementType type, PetscInt dim, const PetscReal X[]);

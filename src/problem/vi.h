@@ -9,7 +9,7 @@
 #define MORTISE_VI_H
 
 #include "contact/pair.h"
-#include "mesh/rigidmodes.h"
+#include "support/rigidmodes.h"
 #include "pdas/friction.h"
 
 typedef struct _n_VIBasis *VIBasis; /* private to this module: the factors of T */

@@ -27,4 +27,4 @@ endfunction()
 
 mortise_fuzz(expression MUTATOR text LAYER base)
 mortise_fuzz(options MUTATOR text LAYER scene)
-mortise_fuzz(msh MUTATOR msh LAYER mesh)
+mortise_fuzz(msh MUTATOR msh LAYER support)

@@ -4,7 +4,7 @@
    What the scene asks of the file are the bits of the file's last byte, which is no part of any section. */
 #define _GNU_SOURCE
 #include "mesh/meshimpl.h"
-#include "mesh/support.h"
+#include "support/support.h"
 #include "fuzz.h"
 #include <sys/stat.h>
 #include <unistd.h>

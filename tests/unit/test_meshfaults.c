@@ -1,6 +1,6 @@
 /* test_meshfaults.c -- every mistake that only the mesh can tell is one sentence that names the culprit. */
 #include "solid_scene.h"
-#include "mesh/support.h"
+#include "support/support.h"
 
 static char FileName[PETSC_MAX_PATH_LEN]; /* written for one test after the other, removed in the end */
 

@@ -1,6 +1,6 @@
 /* test_pieces.c -- bodies fall into pieces that hang together, in an order of their own, whoever holds which cells. */
 #include "base/compat.h"
-#include "mesh/components.h"
+#include "support/components.h"
 #include "mesh_scene.h"
 
 /* A long strip, which has parts on all ranks, and a body of two squares from a file. */

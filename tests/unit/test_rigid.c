@@ -1,6 +1,6 @@
 /* test_rigid.c -- which rigid modes supports leave to a body. */
 #include "base/compat.h"
-#include "mesh/rigidmodes.h"
+#include "support/rigidmodes.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
 

@@ -1,6 +1,6 @@
 /* test_support.c -- held directions at sides and corners, axis-aligned and inclined. */
 #include "mesh_scene.h"
-#include "mesh/support.h"
+#include "support/support.h"
 
 /* What every node of a mesh must look like; x is its position. */
 typedef void (*ExpectFn)(const PetscReal x[2], PetscInt count, const PetscReal Q[4], const PetscReal values[2],

@@ -1,6 +1,6 @@
 /* test_supportsolid.c -- held directions in space: sides that meet in edges and corners, oblique planes, free components. */
 #include "solid_scene.h"
-#include "mesh/support.h"
+#include "support/support.h"
 
 enum { MAX_CONDITIONS = 6 };
 

@@ -1,7 +1,7 @@
 /* components.c -- components of bodies. Sets of nodes are united cell by cell on every rank. Then ranks
    exchange the sets of common nodes until nothing changes. */
 #include "base/compat.h"
-#include "mesh/components.h"
+#include "support/components.h"
 
 /* The node that stands for the set of a node; paths to it are halved on the way. */
 static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)

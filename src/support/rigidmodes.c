@@ -5,7 +5,7 @@
    is the kernel of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
-#include "mesh/rigidmodes.h"
+#include "support/rigidmodes.h"
 
 /* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths: at worst
    (size of the held part / size of the component)^2. For a component held at two neighbouring nodes it is

@@ -3,12 +3,13 @@
    Only ranks with a facet of the side at a node know that the node lies on the side, not all ranks with the
    node: flags travel through a ghosted Vec. All that follows depends on the node's position and on the
    boundary alone, so every rank that holds a node finds the same. */
-#include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include "base/usererror.h"
-#include "mesh/support.h"
+#include "support/support.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
+
+enum { SUPPORT_SENTENCE = 1024 }; /* length of the sentence of a user error */
 
 static const PetscReal FlatShare = 1e-6; /* a flat side stays this near its plane, over its length */
 static const PetscReal ParallelSine =
@@ -258,19 +259,19 @@ static PetscErrorCode GatherAxis_Private(Gather *gather)
 }
 
 /* How a sentence names a boundary of a body. */
-static void BoundaryShow_Private(const SceneBody *body, PetscInt boundary, char shown[MESH_SENTENCE])
+static void BoundaryShow_Private(const SceneBody *body, PetscInt boundary, char shown[SUPPORT_SENTENCE])
 {
   if (boundary == BOUNDARY_AXIS)
-    snprintf(shown, MESH_SENTENCE, "on the axis of revolution");
+    snprintf(shown, SUPPORT_SENTENCE, "on the axis of revolution");
   else
-    snprintf(shown, MESH_SENTENCE, "on side '%s'", body->boundaries[boundary].side);
+    snprintf(shown, SUPPORT_SENTENCE, "on side '%s'", body->boundaries[boundary].side);
 }
 
 /* Two boundaries that want different values in one direction are a user error. */
 static PetscErrorCode GatherCheck_Private(Gather *gather)
 {
-  char     sentence[MESH_SENTENCE] = "", first[MESH_SENTENCE], second[MESH_SENTENCE];
-  Support *support                 = gather->support;
+  char     sentence[SUPPORT_SENTENCE] = "", first[SUPPORT_SENTENCE], second[SUPPORT_SENTENCE];
+  Support *support                    = gather->support;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &support->max_value, 1, MPIU_REAL, MPIU_MAX, gather->level->comm));

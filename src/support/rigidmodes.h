@@ -6,8 +6,8 @@
 #ifndef MORTISE_RIGIDMODES_H
 #define MORTISE_RIGIDMODES_H
 
-#include "mesh/components.h"
-#include "mesh/support.h"
+#include "support/components.h"
+#include "support/support.h"
 
 enum { RIGID_COMPONENTS = 6 };
 
