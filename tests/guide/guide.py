@@ -18,6 +18,9 @@ import sys
 import textwrap
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "tests"))
+from judge import ALONE  # noqa: E402  pylint: disable=wrong-import-position
+
 GUIDE = TOP / "options/GUIDE.md"
 BEGIN, END = "<!-- options: written by tests/guide/guide.py -->\n", "<!-- options: end -->\n"
 
@@ -132,7 +135,8 @@ def walk(value, path=()):
 def check_summary(program, folder):
     keys, seen = documented_keys(), set()
     for name, arguments in SCENES.items():
-        done = subprocess.run([program, *arguments, "-quiet", "-summary", folder / f"{name}.json"], cwd=TOP, capture_output=True, text=True, check=False)
+        done = subprocess.run([program, *arguments, "-quiet", "-summary", folder / f"{name}.json"], cwd=TOP, env=os.environ | ALONE, capture_output=True, text=True,
+                              check=False)
         if not (folder / f"{name}.json").is_file():
             yield f"{name}: no summary, exit code {done.returncode}: {done.stderr}"
             continue
@@ -155,7 +159,7 @@ FILE = re.compile(r'(?:# |// |""")(\w+\.\w+): ')  # the first line of a block th
 
 def check_commands(program, folder, part=0, parts=1, python=False):
     """Without Gmsh a chapter ends where it is first called. [in] python - run the programs in Python, else all others"""
-    environment = os.environ | {"PATH": f"{pathlib.Path(program).resolve().parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(TOP / "src/python"),
+    environment = os.environ | ({} if python else ALONE) | {"PATH": f"{pathlib.Path(program).resolve().parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(TOP / "src/python"),
                                 "PYTHONDONTWRITEBYTECODE": "1"}
     (folder / "options").symlink_to(TOP / "options")
     chapters = [BLOCK.findall(chapter) for chapter in GUIDE.read_text().split("\n## ")]
