@@ -11,9 +11,9 @@ OPTIONS = pathlib.Path(__file__).resolve().parents[2] / "options"
 
 
 def spheres(swapped, order, cells):
-    """Quarters of two balls about the z axis, cells small where they meet; the upper one is 100 times as stiff."""
+    """Quarters of two balls about the z axis, the upper one 100 times as stiff. Cells at the edge of contact are a fifth of its radius wide (order 2)."""
     scene = Scene(dim=3, order=order)
-    fine = [f"(0.3*{c}+0.7*{c}^3)" for c in "xy"]
+    fine = [f"(0.2*{c}+0.8*{c}^9)" for c in "xy"]
     for name, young, sign, n in (("stiff", 1e5, 1, cells), ("soft", 1e3, -1, cells + 1)):
         # a block of the ball around its pole: [0, 0.7]^2 seen from the centre, between radii 0.5 and 1
         r = "(1-0.5*(0.2*z+0.8*z^2))"
@@ -48,7 +48,7 @@ def judge(run):
     if LONG:
         with found.case():
             shipped(run, "crossed_cylinders", "cross", ("upper:bottom", "lower:top"))
-        for order, cells in ((1, 12), (2, 10)):
+        for order, cells in ((1, 20), (2, 12)):
             with found.case():
                 judge_swapped(f"spheres_{order}", *(spheres(swapped, order, cells).solve(run, f"spheres_{order}_{swapped}") for swapped in (False, True)), "joint")
     found.end()
