@@ -45,8 +45,8 @@ PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
 /* Sets the values of the present time, for the same directions. Collective. */
 PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
-/* Splits the force of a shared node among its boundaries, f = sum_i f_i with f_i in the directions that boundary i fixes, as near
-   to what is expected of each as the sum allows.
+/* Splits the force of a shared node among its boundaries: f = sum_i f_i, f_i in the directions that boundary i fixes, with the least
+   sum of |f_i - expected_i|^2. Not collective.
    [in] force - in the span of its directions [dim]; [in,out] parts - expected ones; f_i [shared->num][dim] */
 void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[]);
 
