@@ -1,5 +1,5 @@
-/* optionsuggestion.c -- the documented option that a misspelt one was meant for: the table written out for the names of the
-   scene. */
+/* optionsuggestion.c -- the documented option that a misspelt one was meant for: the table written out for
+   the names of the scene. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
@@ -18,8 +18,8 @@ static PetscErrorCode SuggestAdd_Private(const char pattern[], const char owner[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds what one row makes with one owner. A side can be anything: what stands behind any underscore of the misspelt
-   option is tried for it. */
+/* Adds what one row makes with one owner. A side can be anything: what stands behind any underscore of the
+   misspelt option is tried for it. */
 static PetscErrorCode SuggestAddSides_Private(const char misspelt[], const char pattern[], const char owner[],
                                               PetscInt *num, char **names)
 {

@@ -1,9 +1,10 @@
-/* optiontable.c -- the one table of all options: what -help prints, what is suggested for a misspelt name, what may be
-   read.
+/* optiontable.c -- the one table of all options: what -help prints, what is suggested for a misspelt name,
+   what may be read.
 
-   An argument is written as its form: `text`, `file`, `name`, `side` are words, `n` a whole number, `x` a real
-   number, `e` a number or an expression in x and y; forms are repeated as often as the value has components. The
-   choices of an option are in the order of its enum. The table is the user's manual, so it has the common options of PETSc. */
+   An argument is written as its form: `text`, `file`, `name`, `side` are words, `n` is a whole number, `x` a
+   real number, `e` a number or an expression in x and y. Forms are repeated as often as the value has
+   components. The choices of an option are in the order of its enum. The table is the user's manual, so it
+   has the common options of PETSc. */
 #include "scene/sceneoption.h"
 #include <string.h>
 #include <strings.h>
@@ -21,7 +22,7 @@ static const char *const titles[GROUP_COUNT] = {"Running",
                                                 "Studies: the same scene on several meshes",
                                                 "Load steps: the same scene at several times",
                                                 "Solving",
-                                                "PETSc's own options that people ask for"};
+                                                "PETSc's own options, the common ones"};
 
 static const OptionEntry table[] = {
     {GROUP_RUN, "-options_file", "file", "", "(none)",
@@ -46,7 +47,7 @@ static const OptionEntry table[] = {
 
     {GROUP_SCENE, "-title", "text", "", "(empty)", "Free text that goes into every result."},
     {GROUP_SCENE, "-units", "length,force,stress,temperature", "", "(no units)",
-     "Names of the units in which the numbers are, such as mm,N,MPa or mm,N,MPa,K: they label pictures and pages. "
+     "Names of the units in which the numbers are, such as mm,N,MPa or mm,N,MPa,K: they label plots and pages. "
      "Nothing is "
      "converted."},
     {GROUP_SCENE, "-model", "plane_strain|plane_stress|axisymmetric|solid", "",
@@ -230,7 +231,7 @@ static const OptionEntry table[] = {
      "the run, and the summary marks them as accepted."},
     {GROUP_OUTPUT, "-check", "0|1", "", "0",
      "Reads, meshes and checks the scene without solving it: tables of bodies, sides, pairs and loads, also in the "
-     "summary, and with -output a picture of the undeformed bodies. Of a study, the first mesh; of load steps, t = 1."},
+     "summary, and with -output a file of the undeformed bodies. Of a study, the first mesh; of load steps, t = 1."},
     {GROUP_OUTPUT, "-monitor", "0|1", "", "(on a terminal)", "Prints the progress table, also into a file."},
     {GROUP_OUTPUT, "-scene_view", "0|1", "", "0", "Prints the model, and what was omitted and why."},
 
@@ -271,13 +272,13 @@ static const OptionEntry table[] = {
      "formula "
      "may name t."},
     {GROUP_STEPS, "-restart", "file.h5", "", "(bodies without loads)",
-     "Goes on from the last solved step of an earlier run of the scene, which may have had another number of ranks: "
-     "friction remembers. Steps "
+     "Goes on from the last solved step of an earlier run of the scene, which may have had another number of ranks. "
+     "Slip of friction counts from there. Steps "
      "of -load_steps up to that time, where it is among them, are omitted."},
     {GROUP_STEPS, "-load_steps_halved", "0|1", "", "0",
      "Solves all load steps three times, whole, in two parts and in four. Results are those of four parts, with the "
      "limits for ever smaller "
-     "steps and their uncertainty; for friction, which remembers."},
+     "steps and their uncertainty; for friction, whose results depend on the steps."},
     {GROUP_STEPS, "-load_steps_scale", "none|loads|displacements|gaps|temperatures", "",
      "(all, where no datum names t; else none)",
      "What t multiplies: one or several of these, separated by commas. Data that name t are not multiplied."},
@@ -359,8 +360,8 @@ const char *OptionPlaceholderEnd(const char pattern[])
   return strncmp(end, region, strlen(region)) ? end : end + strlen(region);
 }
 
-/* Whether an option fits a pattern with this owner and anything for <side> or '*'. Like PETSc's database it does not
-   tell capitals from small letters. */
+/* Whether an option fits a pattern with this owner and anything for <side> or '*'. Like PETSc's database it
+   does not tell capitals from small letters. */
 static PetscBool OptionFits_Private(const char pattern[], const char owner[], const char option[])
 {
   while (*pattern) {

@@ -16,8 +16,8 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Highest dimension of the elements in a Gmsh file, or in one that was converted; 0 if it is another file or cannot be read. [out] reason - why it cannot, "" if nothing
-   is known [OPTION_MAX] */
+/* Highest dimension of the elements in a Gmsh file, or in one that was converted; 0 if it is another file or
+   cannot be read. [out] reason - why it cannot, "" if nothing is known [OPTION_MAX] */
 static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim, char reason[])
 {
   const char *extension = strrchr(file->text, '.');
@@ -39,7 +39,8 @@ static PetscErrorCode SceneProbeFile_Private(const Option *file, PetscInt *dim, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The option that gives a body's mesh, and its dimension: 0 (unknown), 2 or 3. [out] reason - as of SceneProbeFile_Private() */
+/* The option that gives a body's mesh, and its dimension: 0 (unknown), 2 or 3.
+   [out] reason - as of SceneProbeFile_Private() */
 static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *body, Option *mesh, PetscInt *dim,
                                                char reason[])
 {
@@ -50,7 +51,7 @@ static PetscErrorCode BodyGetDimension_Private(Scene scene, const SceneBody *bod
     PetscCall(OptionFind(scene, "-<body>_dm_plex_filename", body->name, NULL, mesh));
     if (mesh->set) PetscCall(SceneProbeFile_Private(mesh, dim, reason));
   }
-  if (*dim != 2 && *dim != 3) *dim = 0; /* a mistake, which is told with the body or its mesh */
+  if (*dim != 2 && *dim != 3) *dim = 0; /* a mistake, reported with the body or its mesh */
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -71,7 +72,8 @@ static PetscErrorCode SceneRaiseModel_Private(const Option *model, const SceneBo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What to say if data of a solid follow, where a mesh file made the scene a plane one: it could not be read, or has no solids. */
+/* Prepares the message for data of a solid in a scene that is plane because a mesh file could not be read or
+   has no solids. */
 static PetscErrorCode SceneSetUnread_Private(Scene scene, const Option *file, PetscInt dim, const char reason[])
 {
   char text[2 * OPTION_MAX + PETSC_MAX_PATH_LEN];
@@ -91,7 +93,8 @@ static PetscErrorCode SceneSetUnread_Private(Scene scene, const Option *file, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The model says how many dimensions there are. Where it is not given, boxes and Gmsh files do; all of them must agree. */
+/* The model determines the dimension. Where it is not given, boxes and Gmsh files determine it, and must
+   agree. */
 static PetscErrorCode SceneReadModel_Private(Scene scene)
 {
   Option   model, mesh, first = {.set = PETSC_FALSE}, unread = {.set = PETSC_FALSE};
@@ -126,7 +129,7 @@ static PetscErrorCode SceneReadModel_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* -ksp_type and -pc_type are read by who solves; what the mesh needs to know of them is whether coarser levels are of use. */
+/* The solver reads -ksp_type and -pc_type; the mesh needs to know only whether coarser levels are of use. */
 static PetscErrorCode SceneReadLevels_Private(Scene scene)
 {
   Option   ksp, pc, stop;

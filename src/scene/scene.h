@@ -46,29 +46,29 @@ typedef struct {
 } SceneRegion;
 
 typedef struct {
-  char          *name;      /* also the option prefix, without the underscore */
-  char          *mesh_file; /* found path of a mesh, or NULL for a box */
-  char          *region;    /* physical groups (name or number) of the cells, joined with '+', or NULL for all */
-  PetscBool      simplex;   /* box of triangles (tetrahedra) instead of quads (hexes) */
-  PetscInt       faces[3];  /* cells of the box along each axis */
-  PetscReal      lower[3], upper[3];
-  Expression     map;    /* box coordinates to positions [dim], or NULL */
-  PetscInt       refine; /* refinements of this body alone, before all are merged */
-  PetscInt       order;
-  PetscBool      polygonal;    /* sides are the polygons that the facets of first order make */
-  PetscBool      curved_file;  /* found by the mesh: the file is of second order */
-  PetscBool      straightened; /* likewise: it has curved sides, of which order 1 makes chords */
-  PetscBool      arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
-  PetscInt       num_nonmanifold;           /* likewise, on the first rank: vertices that alone connect some cells */
-  PetscReal      nonmanifold[3];            /* the first of them, before the map */
-  SceneMaterial  material;                  /* of the cells in no region */
-  PetscInt       first_region, num_regions; /* of scene->regions; 0 where all cells have the material above */
-  char          *missing;    /* with regions: an option without which cells in none of them have no material, or NULL */
-  Expression     pretension; /* mean axial force [1], or NULL */
-  PetscReal      axis[3];    /* of the pretension, unit */
-  PetscReal      tightening; /* its strain along the axis, found by the solution */
-  Expression     exact;      /* the exact displacement, where it is known [dim], or NULL */
-  PetscInt       num_boundaries;
+  char         *name;      /* also the option prefix, without the underscore */
+  char         *mesh_file; /* found path of a mesh, or NULL for a box */
+  char         *region;    /* physical groups (name or number) of the cells, joined with '+', or NULL for all */
+  PetscBool     simplex;   /* box of triangles (tetrahedra) instead of quads (hexes) */
+  PetscInt      faces[3];  /* cells of the box along each axis */
+  PetscReal     lower[3], upper[3];
+  Expression    map;    /* box coordinates to positions [dim], or NULL */
+  PetscInt      refine; /* refinements of this body alone, before all are merged */
+  PetscInt      order;
+  PetscBool     polygonal;    /* sides are the polygons that the facets of first order make */
+  PetscBool     curved_file;  /* set by the mesh: the file is of second order */
+  PetscBool     straightened; /* likewise: it has curved sides, of which order 1 makes chords */
+  PetscBool     arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
+  PetscInt      num_nonmanifold;           /* likewise, on the first rank: vertices that alone connect some cells */
+  PetscReal     nonmanifold[3];            /* the first of them, before the map */
+  SceneMaterial material;                  /* of the cells in no region */
+  PetscInt      first_region, num_regions; /* of scene->regions; 0 where all cells have the material above */
+  char      *missing; /* with regions: the missing option without which cells in no region have no material, or NULL */
+  Expression pretension; /* mean axial force [1], or NULL */
+  PetscReal  axis[3];    /* of the pretension, unit */
+  PetscReal  tightening; /* its strain along the axis, found by the solution */
+  Expression exact;      /* the exact displacement, where it is known [dim], or NULL */
+  PetscInt   num_boundaries;
   SceneBoundary *boundaries; /* in the order typed: displacement, normal, traction, pressure, force, moment */
 } SceneBody;
 
@@ -112,7 +112,7 @@ typedef struct {
   Expression      friction;    /* Coulomb's coefficient, or NULL without friction [1] */
   Expression      bound;       /* greatest tangential traction that does not depend on the pressure, or NULL [1] */
   PetscReal       reach;       /* farthest candidate, or negative: from the geometry */
-  PetscBool       widened;     /* whether a solution that moved farther has set the reach, not the user */
+  PetscBool       widened;     /* whether the reach was set after a solution that moved farther, not by the user */
   PetscBool       allow_empty; /* it is no mistake if nothing of the nonmortar side faces the partner */
   PairMultipliers multipliers;
   Expression      exact; /* the exact pressure, where it is known [1], or NULL */
@@ -218,7 +218,7 @@ struct _n_Scene {
   char       *title;    /* "" where none was given */
   char       *units[4]; /* names of the units of length, force, stress and temperature, or NULL where none were given */
   PetscInt    dim;
-  char       *unread; /* what to say of data of a solid where a mesh file alone makes the scene a plane one, or NULL */
+  char       *unread; /* message for data of a solid where a mesh file alone makes the scene a plane one, or NULL */
   ModelKind   model;
   PetscReal   thickness;
   PetscInt    refine; /* common refinements: the levels */
@@ -247,13 +247,15 @@ struct _n_Scene {
 };
 typedef struct _n_Scene *Scene;
 
-/* The length of the ring of a point: 2 pi r in an axisymmetric scene, 1 in others. Not collective. [in] x - [dim] */
+/* The length of the ring of a point: 2 pi r in an axisymmetric scene, 1 in others. Not collective.
+   [in] x - [dim] */
 static inline PetscReal SceneRing(const struct _n_Scene *scene, const PetscReal x[])
 {
   return scene->model == MODEL_AXISYMMETRIC ? 2 * PETSC_PI * x[0] : 1;
 }
 
-/* The factor of integrals over the mesh: the length of the ring, or the thickness. Not collective. [in] x - [dim] */
+/* The factor of integrals over the mesh: the length of the ring, or the thickness. Not collective.
+   [in] x - [dim] */
 static inline PetscReal SceneMeasure(const struct _n_Scene *scene, const PetscReal x[])
 {
   return scene->thickness * SceneRing(scene, x);
@@ -271,7 +273,8 @@ static inline PetscBool SceneBoundaryIsLoad(const SceneBoundary *boundary)
   return (PetscBool)(boundary->kind >= BOUNDARY_TRACTION);
 }
 
-/* A material by its index: first those of the bodies [num_bodies], then those of the regions [num_regions]. Not collective. */
+/* A material by its index: first those of the bodies [num_bodies], then those of the regions [num_regions].
+   Not collective. */
 static inline const SceneMaterial *SceneGetMaterial(const struct _n_Scene *scene, PetscInt material)
 {
   return material < scene->num_bodies ? &scene->bodies[material].material
@@ -319,8 +322,8 @@ static inline PetscBool SceneHasFriction(const struct _n_Scene *scene)
   return PETSC_FALSE;
 }
 
-/* Whether all load steps are solved on each adaptive mesh: so it is with friction, since slip counts from the step before on the same
-   mesh. Not collective. */
+/* Whether all load steps are solved on each adaptive mesh: with friction, since slip counts from the step
+   before on the same mesh. Not collective. */
 static inline PetscBool SceneRepeatsSteps(const struct _n_Scene *scene)
 {
   return (PetscBool)(scene->adapt.on && scene->steps.num && SceneHasFriction(scene));
@@ -331,25 +334,28 @@ PetscBool SceneSidesShare(const char a[], const char b[]);
 
 /* Creates an empty scene. Collective on comm. [out] scene - owned by the caller */
 PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
-/* Reads all options of the table that -help prints (src/scene/optiontable.c). User errors: all mistakes that can be found without a
-   mesh. Collective on the scene's comm. */
+/* Reads all options of the table that -help prints (src/scene/optiontable.c). User errors: all mistakes that
+   can be found without a mesh. Collective on the scene's comm. */
 PetscErrorCode SceneSetFromOptions(Scene scene);
-/* User error: an option that nothing has read. With before_solve only options without PETSc's own prefixes count (ksp_, pc_, mat_,
-   snes_, ...), since PETSc reads many of its options late. -options_allow_unused makes it a warning. Collective. */
+/* User error: an option that nothing has read. With before_solve only options without PETSc's own prefixes
+   count (ksp_, pc_, mat_, snes_, ...), since PETSc reads many of its options late. -options_allow_unused
+   makes it a warning. Collective. */
 PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
-/* Sets the t of all formulas. If no datum of the scene names t, it multiplies loads, given displacements, gap offsets and
-   temperatures, or the data of -load_steps_scale. Adds what changes to scene->changed. User error: a map names t, but meshes do not
-   change. Collective. */
+/* Sets the t of all formulas. If no datum of the scene names t, it multiplies loads, given displacements, gap
+   offsets and temperatures, or the data of -load_steps_scale. Adds what changes to scene->changed. User
+   error: a map names t, but meshes do not change. Collective. */
 PetscErrorCode SceneSetTime(Scene scene, PetscReal t);
-/* Replaces a datum of the scene by numbers: a load, a given displacement, a temperature, a gap or its offset. Components that are
-   `free` stay free. User errors: another option; another number of components. Collective.
+/* Replaces a datum of the scene by numbers: a load, a given displacement, a temperature, a gap or its offset.
+   Components that are `free` stay free. User errors: another option; another number of components.
+   Collective.
    [in] option - with its dash, as in the scene; [in] values - [num] */
 PetscErrorCode SceneSetDatum(Scene scene, const char option[], PetscInt num, const PetscReal values[]);
 /* Prints every option, its unit and default, grouped. Not collective; needs neither PETSc nor MPI. */
 void SceneHelp(FILE *file);
 /* Prints the model as far as it is known without a mesh: bodies, materials, loads, pairs. Collective. */
 PetscErrorCode SceneView(Scene scene);
-/* Prints the beginning of the list of omitted terms, with the reasons: "left out:", and a line for each. Collective. */
+/* Prints the beginning of the list of omitted terms, with the reasons: "left out:", and a line for each.
+   Collective. */
 PetscErrorCode SceneViewLeftOut(Scene scene);
 PetscErrorCode SceneDestroy(Scene *scene);
 

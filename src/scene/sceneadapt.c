@@ -85,7 +85,7 @@ static PetscErrorCode AdaptReadGoals_Private(const Option *option, SceneAdapt *a
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* -adapt, -adapt_goal and its tolerance. [out] option - of the two the one that is there */
+/* Reads -adapt, -adapt_goal and its tolerance. [out] option - the one of the two that is given */
 static PetscErrorCode AdaptReadTolerances_Private(Scene scene, Option *option)
 {
   SceneAdapt *adapt = &scene->adapt;
@@ -129,7 +129,8 @@ PetscErrorCode SceneAdaptRead(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether, in some part of a body, a plane Hooke tensor does not determine the stress across the plane, and thus von Mises' stress. */
+/* Whether the plane Hooke tensor of some part of a body leaves the stress across the plane, and so von Mises'
+   stress, undetermined. */
 static PetscBool AdaptLacksMises_Private(Scene scene, PetscInt body)
 {
   const SceneBody *b = &scene->bodies[body];

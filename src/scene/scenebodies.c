@@ -2,7 +2,8 @@
 #include "scene/sceneparts.h"
 #include "base/options.h"
 
-/* Raises a user error where a box would have more cells than the whole numbers of PETSc can count, on the finest mesh of a study. */
+/* Raises a user error where a box would have more cells than a PetscInt can count, on the finest mesh of a
+   study. */
 static PetscErrorCode BodyCheckSize_Private(Scene scene, const SceneBody *body, const Option *faces)
 {
   const PetscInt refine =

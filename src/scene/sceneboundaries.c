@@ -1,7 +1,7 @@
 /* sceneboundaries.c -- supports and loads of one body: lists of sides, and a datum for each.
 
-   A load along a direction that the same side fixes goes into the support: that is a warning, once the mesh tells how large it is
-   (problem/lostload.c). Loads on one side add up. */
+   A load along a direction that the same side fixes goes into the support. The mesh tells how large it is,
+   and problem/lostload.c warns. Loads on one side add up. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
@@ -20,8 +20,8 @@ static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *bod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads the datum of one listed side. If it is missing, those of all other sides have been read, and an unread datum is that of a side
-   that is not listed. */
+/* Reads the datum of one listed side. If it is missing, the data of all other sides have been read before: an
+   unread datum is that of a side that is not listed. */
 static PetscErrorCode BoundaryFindValue_Private(Scene scene, const SceneBody *body, const SceneBoundary *boundary,
                                                 Option *datum)
 {

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Columns of a page: the option with its argument, the unit, what holds without it; the sentence stands below,
-   indented. */
+/* Columns of a page: the option with its argument, the unit, what holds without it; the sentence stands
+   below, indented. */
 enum { PAGE_WIDTH = 110, OPTION_WIDTH = 56, UNIT_WIDTH = 13, INDENT = 6 };
 
 static const char intro[] =

@@ -1,7 +1,7 @@
 /* scenematerials.c -- materials of a body and of its regions.
 
-   A region has its own value where its option is given, else that of its body. Both read the same option then, so that each material has
-   expressions of its own. */
+   A region has its own value where its option is given, else that of its body. Both read the same option
+   then, so that each material has expressions of its own. */
 #include "scene/sceneparts.h"
 
 /* A constant Hooke matrix counts as singular below this ratio of its eigenvalues: a thousand roundings. */
@@ -78,7 +78,8 @@ static PetscErrorCode DatumOfRegions_Private(const Reader *r, MaterialKey key, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error if a datum is missing; for a body with regions only if there are cells in none of them, which the mesh knows.
+/* Raises a user error if a datum is missing; for a body with regions only if there are cells in none of them,
+   which the mesh knows.
    [out] found - whether it is there */
 static PetscErrorCode DatumRequire_Private(const Reader *r, const Datum *datum, const char why[], PetscBool *found)
 {
@@ -90,9 +91,9 @@ static PetscErrorCode DatumRequire_Private(const Reader *r, const Datum *datum, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Checks E and nu where they are plain numbers. Above nu = 1/2 a body would grow under pressure. Near nu = 1/2 it keeps
-   its volume: plane stress can still show that by its thickness, but in other models displacements alone cannot tell
-   the pressure. */
+/* Checks E and nu where they are plain numbers. Above nu = 1/2 a body would grow under pressure. Near nu =
+   1/2 it keeps its volume: plane stress can still show that by its thickness, but in other models
+   displacements alone cannot tell the pressure. */
 static PetscErrorCode MaterialCheckIsotropic_Private(const Reader *r, const Option *young, const Option *poisson)
 {
   const PetscReal origin[3] = {0, 0, 0};
@@ -191,7 +192,8 @@ static PetscErrorCode MaterialReadElastic_Private(const Reader *r)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error where the six numbers of a plane Hooke matrix do not tell what a strain across the plane does.
+/* Raises a user error where the six numbers of a plane Hooke matrix do not tell what a strain across the
+   plane does.
    [in] across - which component that is */
 static PetscErrorCode MaterialCheckAcross_Private(const Reader *r, const Option *option, Expression e, PetscInt across)
 {

@@ -1,8 +1,9 @@
-/* scenenames.c -- names of bodies, regions, pairs and probes: they become prefixes of options, so no two may make one option.
+/* scenenames.c -- names of bodies, regions, pairs and probes: they become prefixes of options, so no two may
+   make one option.
 
-   PETSc finds an option by its whole name. One option can have two meanings for three reasons: a name begins as a key of another one
-   (body `a` with `-a_bc_traction_<side>`, and a body `a_bc_traction`); a name is a prefix of PETSc (`ksp`); PETSc reads `-a_young`
-   where `-a_1_young` is not given. All three are refused. */
+   PETSc finds an option by its whole name. One option has two meanings in three cases, which are refused. A
+   name begins as a key of another one: body `a` with `-a_bc_traction_<side>`, and a body `a_bc_traction`. A
+   name is a prefix of PETSc (`ksp`). PETSc reads `-a_young` where `-a_1_young` is not given. */
 #include "scene/sceneparts.h"
 #include <ctype.h>
 #include <string.h>
@@ -55,7 +56,8 @@ static PetscErrorCode NamesNext_Private(const Option *option, const char **curso
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error if the i-th name is one of the earlier ones, or one of PETSc's. A probe may be called like a body. */
+/* Raises a user error if the i-th name is one of the earlier ones, or one of PETSc's. A probe may be called
+   like a body. */
 static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
 {
   static const char *const kinds[] = {[SCOPE_BODY]   = "-bodies",
@@ -87,7 +89,8 @@ static PetscErrorCode NamesCheckOne_Private(Scene scene, PetscInt i)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error if an option of the i-th name can be read as one of the j-th, by which it then begins. */
+/* Raises a user error if an option of the i-th name can be read as one of the j-th, by which it then
+   begins. */
 static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt j)
 {
   PetscInt           num;
@@ -110,8 +113,8 @@ static PetscErrorCode NamesCheckClash_Private(Scene scene, PetscInt i, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error if a name without one of its numbers is another name: what the first lacks, PETSc would take from the
-   second. */
+/* Raises a user error if a name without one of its numbers is another name: what the first lacks, PETSc would
+   take from the second. */
 static PetscErrorCode NamesCheckNumbers_Private(Scene scene, PetscInt i)
 {
   OptionScope scope, other_scope;

@@ -1,7 +1,9 @@
-/* sceneobstacle.c -- a rigid obstacle in place of a mortar side: its shape and the numbers that the shape needs. */
+/* sceneobstacle.c -- a rigid obstacle in place of a mortar side: its shape and the numbers that the shape
+   needs. */
 #include "scene/sceneparts.h"
 
-/* Reads a direction and makes it of length one. [in] why - what needs it, a clause; [out] direction - [dim] */
+/* Reads a direction and makes it of length one.
+   [in] why - what needs it, a clause; [out] direction - [dim] */
 static PetscErrorCode ObstacleReadDirection_Private(const Option *option, const char why[], PetscReal direction[])
 {
   const PetscInt dim    = option->scene->dim;

@@ -1,4 +1,5 @@
-/* sceneoption.c -- one option: found through the table, read from text, with one sentence for a mistake (see sceneoption.h). */
+/* sceneoption.c -- one option: found through the table, read from text, with one sentence for a mistake (see
+   sceneoption.h). */
 #include "scene/sceneoption.h"
 #include "scene/sceneparts.h"
 #include <ctype.h>
@@ -280,7 +281,7 @@ PetscErrorCode OptionGetChoice(const Option *option, PetscInt *index)
 }
 
 /* Formulas name coordinates that the scene has: r and z are those of a meridian plane. */
-static PetscErrorCode CheckNames_Private(const Option *option, Expression e)
+static PetscErrorCode OptionCheckNames_Private(const Option *option, Expression e)
 {
   const PetscBool solid = (PetscBool)(option->scene->dim == 3);
 
@@ -297,8 +298,9 @@ static PetscErrorCode CheckNames_Private(const Option *option, Expression e)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises the user error for data of solids where the mesh file should have shown that the scene is solid: the data are not wrong. */
-static PetscErrorCode CheckSolid_Private(const Option *option, PetscBool allow_free)
+/* Raises the user error for data of solids where the mesh file should have shown that the scene is solid: the
+   data are not wrong. */
+static PetscErrorCode OptionCheckSolid_Private(const Option *option, PetscBool allow_free)
 {
   Expression e;
   PetscInt   given;
@@ -318,8 +320,8 @@ PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components
   PetscFunctionBeginUser;
   if (!option->text) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionCheckValue_Private(option));
-  if (option->scene->unread && num_components == 2) PetscCall(CheckSolid_Private(option, allow_free));
+  if (option->scene->unread && num_components == 2) PetscCall(OptionCheckSolid_Private(option, allow_free));
   PetscCall(ExpressionCreate(option->comm, option->name, option->text, num_components, allow_free, e));
-  PetscCall(CheckNames_Private(option, *e));
+  PetscCall(OptionCheckNames_Private(option, *e));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

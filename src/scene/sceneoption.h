@@ -1,8 +1,8 @@
 /* sceneoption.h -- the table of all options, and how a value is read through it.
 
-   Only documented options are read: OptionFind() takes a row's pattern, and raises an internal error if there is no such row. Values
-   are read as text and parsed here: for a word in place of a number, PETSc would print a stack trace instead of a sentence. No
-   function here allocates memory, so that a user error leaks none. */
+   Only documented options are read: OptionFind() takes a row's pattern, and raises an internal error if there
+   is no such row. Values are read as text and parsed here: of a word in place of a number PETSc would print a
+   stack trace. No function here allocates memory, so that a user error leaks none. */
 #ifndef SCENE_OPTION_H
 #define SCENE_OPTION_H
 
@@ -66,13 +66,13 @@ const char        *OptionGroupTitle(OptionGroup group);
 OptionScope        OptionEntryScope(const OptionEntry *entry);
 /* Behind a placeholder, which a pattern begins with. */
 const char *OptionPlaceholderEnd(const char pattern[]);
-/* The first row whose pattern an option's name (with its dash) fits, with this owner and any side; NULL if there is
-   none.
+/* The first row whose pattern an option's name (with its dash) fits, with this owner and any side; NULL if
+   there is none.
    [in] owner - name of the body, pair or probe; not looked at for SCOPE_PROGRAM */
 const OptionEntry *OptionTableMatch(OptionScope scope, const char owner[], const char option[]);
 
-/* name = pattern, or any text, with its placeholders filled in; owner and side may be NULL where it has none. Blanks in
-   the name of a side become underscores. */
+/* name = pattern, or any text, with its placeholders filled in; owner and side may be NULL where it has none.
+   Blanks in the name of a side become underscores. */
 PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char side[], char name[OPTION_MAX]);
 
 /* Looks up an option; reading counts as use. Not collective. [in] pattern - the name of a row of the table */
@@ -85,8 +85,8 @@ PetscErrorCode OptionRaise(const Option *option, const char format[], ...) PETSC
    [in] why - what needs it, a clause; placeholders stand for the names of the option */
 PetscErrorCode OptionRequire(const Option *option, const char why[]);
 
-/* Values. An absent option gives the table's default, or leaves the value as it is where the table has none. A value
-   that cannot be read is a user error. Collective. */
+/* Values. An absent option gives the table's default, or leaves the value as it is where the table has none.
+   A value that cannot be read is a user error. Collective. */
 PetscErrorCode OptionGetText(const Option *option, char **text); /* copied */
 PetscErrorCode OptionGetBool(const Option *option, PetscBool *value);
 PetscErrorCode OptionGetInts(const Option *option, PetscInt n, PetscInt smallest, PetscInt values[]);
@@ -101,7 +101,8 @@ PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components
    An empty item is a user error. [out] item - without blanks around it */
 PetscErrorCode OptionNextItem(const Option *option, const char **cursor, char item[OPTION_MAX]);
 PetscInt       OptionCountItems(const Option *option);
-/* Index of a word among the option's choices; a user error with the choices and the nearest one if it is not there.
+/* Index of a word among the option's choices; a user error with the choices and the nearest one if it is not
+   there.
    [in] why - what the sentence says about the choices, in parentheses with a blank before, or "" */
 PetscErrorCode OptionMatchChoice(const Option *option, const char word[], const char why[], PetscInt *index);
 

@@ -145,7 +145,7 @@ static PetscErrorCode PairReadFriction_Private(Scene scene, ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Which nodes carry multipliers, and the pressure that they should come to. */
+/* Which nodes carry multipliers, and the exact pressure. */
 static PetscErrorCode PairReadPressure_Private(Scene scene, ScenePair *pair)
 {
   Option   multipliers, exact;
@@ -164,7 +164,8 @@ static PetscErrorCode PairReadPressure_Private(Scene scene, ScenePair *pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The boundary that leaves a side no freedom along its normal, or NULL: such a side cannot carry a multiplier. */
+/* The boundary that leaves a side no freedom along its normal, or NULL: such a side cannot carry a
+   multiplier. */
 static const SceneBoundary *PairFindHeld_Private(Scene scene, const SceneSide *side)
 {
   const SceneBody *body = &scene->bodies[side->body];
@@ -178,8 +179,8 @@ static const SceneBoundary *PairFindHeld_Private(Scene scene, const SceneSide *s
   return NULL;
 }
 
-/* Raises a user error where the nonmortar side is fixed; open roles are settled where only one side is free to carry the
-   multiplier. */
+/* Raises a user error where the nonmortar side is fixed; open roles are settled where only one side is free
+   to carry the multiplier. */
 static PetscErrorCode PairCheckHeld_Private(Scene scene, ScenePair *pair)
 {
   const SceneBoundary *held       = PairFindHeld_Private(scene, &pair->nonmortar);
@@ -213,7 +214,8 @@ static PetscBool PairSameSide_Private(const SceneSide *a, const SceneSide *b)
   return (PetscBool)(a->body >= 0 && a->body == b->body && SceneSideOverlaps(a->side, b->side, NULL));
 }
 
-/* Raises a user error where a side meets itself, or where an earlier pair joins the same two sides in either order. */
+/* Raises a user error where a side meets itself, or where an earlier pair joins the same two sides in either
+   order. */
 static PetscErrorCode PairCheckTwice_Private(Scene scene, const ScenePair *pair)
 {
   const SceneSide *s = &pair->nonmortar, *m = &pair->mortar;

@@ -1,25 +1,25 @@
-/* sceneparts.h -- the parts of SceneSetFromOptions(), one file each, in the order they run.
-   */
+/* sceneparts.h -- the parts of SceneSetFromOptions(), one file each, in the order they run. */
 #ifndef SCENE_PARTS_H
 #define SCENE_PARTS_H
 
 #include "scene/sceneoption.h"
 
-/* scenenames.c: bodies, pairs and probes by name, before anything of theirs is read. Raises a user error on names that are not legal,
-   given twice, or that would make one option mean two things. Collective. */
+/* scenenames.c: bodies, pairs and probes by name, before their options are read. User errors: names that are
+   not legal, are given twice, or give one option two meanings. Collective. */
 PetscErrorCode SceneNamesRead(Scene scene);
 /* The i-th of all names and what it names; NULL behind the last one. Not collective. */
 const char *SceneNamesGet(Scene scene, PetscInt i, OptionScope *scope);
 /* Index of the body of that name; a user error that lists the bodies if there is none. Collective. */
 PetscErrorCode SceneNamesFindBody(Scene scene, const Option *option, const char name[], PetscInt *body);
 
-/* unusedoptions.c: raises a user error on an option that no row of the table documents; with only_near, only if one is near. Collective.
-   */
+/* unusedoptions.c: raises a user error on an option that no row of the table documents; with only_near, only
+   if one is near. Collective. */
 PetscErrorCode UnusedOptionsCheckUnknown(Scene scene, PetscBool only_near);
-/* Whether an option (with its dash) begins as PETSc's own options do, so that no body or pair may. Not collective. */
+/* Whether an option (with its dash) begins as PETSc's own options do, so that no body or pair may.
+   Not collective. */
 PetscBool UnusedOptionsBeginsLikePETSc(const char option[]);
-/* The unused option in the database that looks like a misspelling of this one, or like its datum for a side that is not
-   listed; "" if there is none. Not collective. */
+/* The unused option in the database that looks like a misspelling of this one, or like its datum for a side
+   that is not listed; "" if there is none. Not collective. */
 PetscErrorCode UnusedOptionsNearest(const Option *option, char near[OPTION_MAX]);
 
 /* optionsuggestion.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */
@@ -28,7 +28,8 @@ PetscErrorCode OptionSuggestionFind(Scene scene, const char misspelt[], char nea
 /* sceneunits.c: names of units. Collective. */
 PetscErrorCode SceneUnitsRead(Scene scene);
 
-/* unmodelled.c: what is not modelled, and what to give instead, where an option is one that other programs have; else NULL. Not collective.
+/* unmodelled.c: for an option that other programs have, what is not modelled and what to give instead; else
+   NULL. Not collective.
    [in] name - of the option, without its dash and the name of its body or pair */
 const char *UnmodelledFind(const char name[]);
 
@@ -48,7 +49,8 @@ PetscErrorCode SceneStepsRead(Scene scene);
 PetscErrorCode SceneRestartRead(Scene scene);
 PetscErrorCode SceneHalvedRead(Scene scene);
 
-/* scenebodies.c: one body. scenematerials.c: its materials. sceneboundaries.c: its supports and loads. Collective. */
+/* scenebodies.c: one body. scenematerials.c: its materials. sceneboundaries.c: its supports and loads.
+   Collective. */
 PetscErrorCode SceneBodyRead(Scene scene, SceneBody *body);
 PetscErrorCode SceneBodyDestroy(SceneBody *body);
 PetscErrorCode SceneMaterialsRead(Scene scene, SceneBody *body);
@@ -57,8 +59,8 @@ PetscErrorCode SceneBoundariesRead(Scene scene, SceneBody *body);
 /* Whether a side's displacement is given in all components. Not collective. */
 PetscBool SceneBoundaryFixesAll(Scene scene, const SceneBoundary *boundary);
 
-/* scenesides.c: raises a user error on a side that cannot be: empty parts of a '+' list, or a name that a box does not have.
-   Collective. */
+/* scenesides.c: raises a user error on a side that cannot be: empty parts of a '+' list, or a name that a box
+   does not have. Collective. */
 PetscErrorCode SceneSideCheck(const Option *option, const SceneBody *body, const char side[]);
 /* Whether two sides, each joined with '+' of one or more, have one in common. Not collective.
    [out] common - the first one, array of shape [OPTION_MAX]; may be NULL */

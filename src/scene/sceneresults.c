@@ -1,4 +1,5 @@
-/* sceneresults.c -- probes, files, progress, and the few options of the solver that can be wrong before it exists. */
+/* sceneresults.c -- probes, files, progress, and the few options of the solver that can be wrong before it
+   exists. */
 #include "scene/sceneparts.h"
 #include "base/usererror.h"
 #include "base/warning.h"
@@ -48,7 +49,7 @@ PetscErrorCode ScenePathRead(Scene scene, ScenePath *path)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* FileSet: -output_format is read only where there are files to format, so that it is told otherwise. */
+/* -output_format is read only where files are written; else it is reported as unused. */
 static PetscErrorCode ResultsReadFiles_Private(Scene scene)
 {
   Option      output, format, summary, report, paths;
@@ -78,7 +79,8 @@ static PetscErrorCode ResultsReadFiles_Private(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* -check, which solves nothing: a study is its first mesh, load steps are t = 1, and there is nothing for a report to tell. */
+/* -check, which solves nothing: a study is its first mesh, load steps are t = 1, and there is nothing for a
+   report to tell. */
 static PetscErrorCode ResultsReadCheck_Private(Scene scene)
 {
   Option only;
@@ -163,8 +165,8 @@ PetscErrorCode SceneResultsRead(Scene scene)
   PetscCall(ResultsReadCheck_Private(scene));
   if (scene->quiet && scene->monitor)
     PetscCall(OptionRaise(&monitor, "-quiet asks for the opposite; give one of the two"));
-  PetscCall(OptionFind(scene, "-snes_type", NULL, NULL,
-                       &type)); /* a word that SNES does not know would end in a stack trace */
+  PetscCall(
+      OptionFind(scene, "-snes_type", NULL, NULL, &type)); /* for an unknown word SNES would print a stack trace */
   PetscCall(OptionMatchChoice(&type, type.text, " (contact needs a solver that keeps bounds)", &choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

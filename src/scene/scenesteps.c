@@ -15,8 +15,9 @@ static void StepsGetCount_Private(const char text[], PetscInt *count)
   *count = end != text && !*end ? (PetscInt)PetscMin(number, STEPS_MOST + 1) : 0;
 }
 
-/* Whether the items of a list are whole numbers without a sign, and the times that they are with 0,5 read as 0.5. [out] meant - written with
-   points; empty where no item is 0 */
+/* Whether the items of a list are whole numbers without a sign, and the list of times with 0,5 read as 0.5.
+   [out] meant - that list, with decimal points; "" where no item is 0; [out] increase - whether these times
+   ascend from above 0 */
 static PetscErrorCode StepsReadPoints_Private(const Option *option, PetscBool *whole, char meant[OPTION_MAX],
                                               PetscBool *increase)
 {
@@ -51,7 +52,7 @@ static PetscErrorCode StepsReadPoints_Private(const Option *option, PetscBool *w
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A decimal comma: 0,5 and 0,25,0,5,1 are times that hardly anybody means. Unloading, 1,0,1, and 0,2,4 are times. */
+/* Warns of decimal commas: 0,5 and 0,25,0,5,1 are unlikely times. Unloading, 1,0,1, and 0,2,4 are times. */
 static PetscErrorCode StepsWarnComma_Private(const Option *option, const SceneSteps *steps)
 {
   char      meant[OPTION_MAX];

@@ -36,7 +36,7 @@ static PetscErrorCode StudyReadOrders_Private(Scene scene, SceneStudy *study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What belongs to a study is read only where there is one, so that it is told otherwise. */
+/* Options of a study are read only where there is one; else they are reported as unused. */
 PetscErrorCode SceneStudyRead(Scene scene)
 {
   SceneStudy *study = &scene->study;

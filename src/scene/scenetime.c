@@ -17,7 +17,7 @@ enum {
   DATA_PAIR     = 6
 }; /* of a material, of a body beside its boundaries, of a pair */
 
-/* Those of a material. [in,out] data - [num] */
+/* Adds the data of a material. [in,out] data - [num] */
 static void DataAddMaterial_Private(SceneMaterial *material, PetscInt *num, Datum data[])
 {
   const Datum those[DATA_MATERIAL] = {{&material->young, DATUM_MATERIAL, PETSC_FALSE, PETSC_FALSE},

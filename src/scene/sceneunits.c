@@ -1,4 +1,5 @@
-/* sceneunits.c -- names of the units of length, force, stress and temperature, which label results. Numbers are never converted. */
+/* sceneunits.c -- names of the units of length, force, stress and temperature, which label results. Numbers
+   are never converted. */
 #include "scene/sceneparts.h"
 #include <string.h>
 
@@ -46,7 +47,8 @@ static PetscReal UnitsFind_Private(const KnownUnit known[], const char name[])
   return 0;
 }
 
-/* Stress is force over length squared in every result. Where all three names are known, they have to agree with that. */
+/* Stress is force over length squared in every result. Where all three names are known, they have to agree
+   with that. */
 static PetscErrorCode UnitsCheck_Private(Scene scene, const Option *option)
 {
   char *const    *names  = scene->units;

@@ -1,4 +1,5 @@
-/* unmodelled.c -- options that other programs have and this one cannot have: what is not modelled, and what to give instead. */
+/* unmodelled.c -- options that other programs have and this one cannot have: what is not modelled, and what
+   to give instead. */
 #include "scene/sceneparts.h"
 #include <string.h>
 #include <strings.h>
@@ -50,8 +51,8 @@ static const Unmodelled unmodelled[] = {
      "there is no such option; supports are -<body>_bc_displacement, and -<body>_bc_normal for planes of symmetry"},
 };
 
-/* Whether the words of a name, joined by underscores, begin or end with these words, or are these; a single letter is too short for
-   parts of names. Words that end with an underscore only begin names. */
+/* Whether the words of a name, joined by underscores, begin or end with these words, or are these; a single
+   letter is too short for parts of names. Words that end with an underscore only begin names. */
 static PetscBool UnmodelledHas_Private(const char name[], const char words[])
 {
   const size_t num = strlen(name), length = strlen(words);

@@ -1,9 +1,9 @@
 /* unusedoptions.c -- options that nothing reads: misspelt, left over, or PETSc's.
 
-   PETSc marks an option as used when it is looked up, and reads many of its own late. So misspelt options are told at
-   once, by the table: an option that fits none of its rows and lies outside the name spaces of PETSc is unknown. What
-   is left unread in those name spaces is told when all is solved. The first rank judges for all: it reads what any
-   rank does. */
+   PETSc marks an option as used when it is looked up, and reads many of its own late. So the table decides on
+   misspelt options at once: an option is unknown if it fits no row and lies outside the name spaces of PETSc.
+   Unread options in those name spaces are reported after the solution. The first rank judges for all: it
+   reads what any rank does. */
 #include "scene/sceneparts.h"
 #include "base/warning.h"
 #include <string.h>
@@ -21,10 +21,11 @@ typedef struct {
    beginnings. */
 // clang-format off
 static const char *const environment[] = {
-    "checkstack", "citations", "debugger_", "device_", "display", "fp_trap", "get_total_flops", "help", "info",
-    "info_", "log_", "malloc", "malloc_", "memory_view", "mpi_", "mpidump", "no_signal_handler", "nox",
-    "objects_dump", "on_error_", "options_file_yaml", "options_string_yaml", "options_left", "options_monitor", "options_monitor_cancel", "options_view", "petsc_", "python", "saws_", "shared_tmp_", "skip_petscrc",
-    "start_in_debugger", "stop_for_debugger", "tmp", "use_gpu_aware_mpi", "version", "viewer_"};
+    "checkstack", "citations", "debugger_", "device_", "display", "fp_trap", "get_total_flops", "help",
+    "info", "info_", "log_", "malloc", "malloc_", "memory_view", "mpi_", "mpidump", "no_signal_handler",
+    "nox", "objects_dump", "on_error_", "options_file_yaml", "options_string_yaml", "options_left",
+    "options_monitor", "options_monitor_cancel", "options_view", "petsc_", "python", "saws_", "shared_tmp_",
+    "skip_petscrc", "start_in_debugger", "stop_for_debugger", "tmp", "use_gpu_aware_mpi", "version", "viewer_"};
 // clang-format on
 
 /* Name spaces of PETSc's objects. */
@@ -33,8 +34,8 @@ static const char *const objects[] = {"ksp_",        "pc_",      "snes_",   "mat
                                       "is_",         "sf_",      "da_",     "fieldsplit_", "petscpartitioner_",
                                       "petscspace_", "petscfe_", "petscds_"};
 
-/* Name spaces within PETSc's that are this program's, and one of PETSc's in them again, that of readers of mesh
-   files. */
+/* Name spaces within PETSc's that are this program's, and one of PETSc's in them again, that of readers of
+   mesh files. */
 static const char *const ours[]    = {"snes_pdas_", "dm_"};
 static const char *const readers[] = {"dm_plex_"};
 
@@ -64,7 +65,8 @@ PetscBool UnusedOptionsBeginsLikePETSc(const char option[])
                      UnusedBegins_Private(option, PETSC_STATIC_ARRAY_LENGTH(objects), objects));
 }
 
-/* Finds owner and row of an option. Where several names begin it, the one counts that makes it a row of the table. */
+/* Finds owner and row of an option. Where several names begin it, the one counts with which it is a row of
+   the table. */
 static PetscErrorCode UnusedJudge_Private(Scene scene, const char name[], const char value[], Leftover *left)
 {
   const char *owner;
@@ -139,8 +141,8 @@ static PetscBool UnusedIsOfSameSpace_Private(const char option[], const char nea
   return (PetscBool)(!UnusedOptionsBeginsLikePETSc(option) || !strncasecmp(option, near, strcspn(option, "_") + 1));
 }
 
-/* What stands between a body and a key of regions, as "soft" in -plate_soft_young. [out] body - NULL if it is no such option; [out] key -
-   with its underscore; [out] region - [OPTION_MAX] */
+/* What stands between a body and a key of regions, as "soft" in -plate_soft_young.
+   [out] body - NULL if it is no such option; [out] key - with its underscore; [out] region - [OPTION_MAX] */
 static void UnusedSplitRegion_Private(Scene scene, const char option[], const SceneBody **body, const char **key,
                                       char region[])
 {
@@ -163,7 +165,8 @@ static void UnusedSplitRegion_Private(Scene scene, const char option[], const Sc
   }
 }
 
-/* The sentence about a datum of a region that -<body>_regions does not list; untouched if the option is none. */
+/* The sentence about a datum of a region that -<body>_regions does not list; untouched if the option is
+   none. */
 static PetscErrorCode UnusedExplainRegion_Private(Scene scene, const Leftover *left, const char shown[],
                                                   char sentence[OPTION_SENTENCE])
 {
@@ -194,7 +197,8 @@ static PetscErrorCode UnusedExplainRegion_Private(Scene scene, const Leftover *l
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The documented option that lacks the name of a body, pair or probe before it, as -young; NULL if it is none. */
+/* The documented option that lacks the name of a body, pair or probe before it, as -young; NULL if it is
+   none. */
 static const char *UnusedFindNameless_Private(const Leftover *left)
 {
   PetscInt           num;
