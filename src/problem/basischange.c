@@ -1,9 +1,10 @@
 /* basischange.c -- the change of basis u = T y.
 
-   At a node with multipliers y_i = n_i . (u_s - sum_b P_ab u_b + sum_c (D_ac / D_aa) u_c), P = M / D; the other unknowns of
-   the node are its tangential displacements (Hueber & Wohlmuth 2005, here for the normal component only). A tie treats all
-   directions so. Held directions that are not axes turn their node's unknowns as well. All this is done to the hierarchical
-   displacements u~ where there are any, and to those of eq. 3.5 on tri6 (couplings.h), and u = S u~ comes last. */
+   At a node with multipliers y_i = n_i . (u_s - sum_b P_ab u_b + sum_c (D_ac / D_aa) u_c), P = M / D; the
+   other unknowns of the node are its tangential displacements (Hueber & Wohlmuth 2005, here for the normal
+   component only). A tie treats all directions so. Held directions that are not axes turn their node's
+   unknowns as well. All this is done to the hierarchical displacements u~ where there are any, and to those
+   of eq. 3.5 on tri6 (couplings.h), and u = S u~ comes last. */
 #include "base/compat.h"
 #include "problem/pairarms.h"
 
@@ -11,10 +12,10 @@
 static const PetscReal PARALLEL = 1e-12;
 /* Powers of E this small do not change T, whose entries are of order 1. */
 static const PetscReal NEGLIGIBLE_POWER = 1e-17;
-/* Powers beyond the longest chain of pairs: two pairs on one side may depend on each other through the row of a removed
-   node. On straight facets that is a sliver's, whose weight is below a thousandth, and powers fall by as much; on quadratic
-   ones a far end that is covered in part weighs more, and the powers fall by 0.7 at the worst place of a seam between the
-   two. */
+/* Powers beyond the longest chain of pairs: two pairs on one side may depend on each other through the row of
+   a removed node. On straight facets this node belongs to a sliver, with a weight below 1/1000, and each
+   power is smaller by that factor. On quadratic facets a partly covered far end weighs more; at the worst
+   place of a seam between two pairs the factor is 0.7. */
 enum { REMOVED_POWERS = 128 };
 
 /* F^-1 of a 2 x 2 or 3 x 3 matrix by cofactors. [in] F - [dim][dim]; [out] Finv - [dim][dim] */
@@ -84,7 +85,8 @@ static PetscErrorCode NodeBasesListNodes_Private(VI vi, NodeBases *bases)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a support holds a node along a tangent: there it cannot slide, and the support takes what friction would. */
+/* Whether a support fixes a node along a tangent: the node cannot slide, and the support takes the tangential
+   force. */
 static PetscBool BasisChangeIsHeld_Private(const Support *held, PetscInt node, const PetscReal tangent[])
 {
   const PetscInt dim = held->dim;
@@ -269,7 +271,7 @@ static PetscErrorCode BasisChangeCreateSum_Private(VI vi, const NodeBases *bases
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether what E adds comes from special nodes, too: if not, E has no powers and no R beside it but 1. */
+/* Whether E has columns of special nodes: if not, E E = 0 and E R = E. */
 static PetscErrorCode BasisChangeIsChained_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
                                                    PetscBool *chained)
 {
@@ -361,8 +363,9 @@ static PetscInt BasisChangeFindUnknown_Private(PetscInt dim, const PetscReal F[]
   return -1;
 }
 
-/* unshift p with p = sum_j value_j d_j: what prescribed displacements are in u~ beyond what they are in u. The ends of a facet
-   are held wherever its middle is, and in the same directions at least. [out] moved - NULL where nothing is shifted */
+/* (S^-1 - I) p with p = sum_j value_j d_j: the difference of prescribed displacements in u~ and in u. Where
+   the middle of a facet is fixed, so are its ends, at least in the same directions.
+   [out] moved - NULL where S = I */
 static PetscErrorCode BasisChangeTransformPrescribed_Private(VI vi, const Couplings *couplings, Vec *moved)
 {
   const PetscInt dim = vi->level->dim;

@@ -4,8 +4,9 @@
 
 #include "problem/couplings.h"
 
-/* Nodes whose unknowns are not the Cartesian displacements: those with multipliers or a held direction that is not an axis.
-   Row r of F takes u~ to the node's r-th unknown before the mortar side is subtracted: v = F u~. */
+/* Nodes whose unknowns are not the Cartesian displacements: those with multipliers or a held direction that
+   is not an axis. Row r of F takes u~ to the node's r-th unknown before the mortar side is subtracted: v = F
+   u~. */
 typedef struct {
   PetscInt   num;
   PetscInt  *node;     /* local, owned, ascending [num] */
@@ -23,8 +24,9 @@ struct _n_VIBasis {
   Couplings couplings;
 };
 
-/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R rotates, E adds the displacement of the mortar side. The number of
-   powers is the longest sequence of pairs that depend on each other, without cycles (cyclicroles.h). NULL where T = I. Collective.
+/* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R rotates, E adds the displacement of the mortar
+   side. The number of powers is the longest sequence of pairs that depend on each other, without cycles
+   (cyclicroles.h). NULL where T = I. Collective.
    [out] T - owned by the caller */
 PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T);
 

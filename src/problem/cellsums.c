@@ -1,7 +1,8 @@
 /* cellsums.c -- K as a sum of cell matrices.
 
-   A Mat looks for every entry by itself, and moves others out of its way. Here nodes are looked for, once for all entries of a block.
-   What belongs to rows of other ranks goes there once, in sums. These are made in the order of the cells. */
+   A Mat searches the place of every entry, and moves other entries to make room. Here nodes are searched,
+   once for all entries of a block. Entries in rows of other ranks are sent once, as sums, which are made in
+   the order of the cells. */
 #include "problem/cellsums.h"
 #include "base/compat.h"
 
@@ -28,7 +29,8 @@ static PetscErrorCode CellSumsListCellsOfNodes_Private(const Level *level, Stars
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where a node is in an ascending list, or would be: lists are so short that comparing all is faster than to branch. */
+/* Where a node is in an ascending list, or would be: lists are so short that comparing all is faster than to
+   branch. */
 static inline PetscInt CellSumsFindNeighbour_Private(PetscInt num, const PetscInt list[], PetscInt node)
 {
   PetscInt at = 0;

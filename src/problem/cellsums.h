@@ -5,7 +5,8 @@
 #include "mesh/mesh.h"
 #include "problem/stiffness.h"
 
-/* Zeros. Not collective. [out] sums - blocks between nodes of this rank, ghosts included; to be destroyed by CellSumsFinish() */
+/* Zeros. Not collective.
+   [out] sums - blocks between nodes of this rank, ghosts included; to be destroyed by CellSumsFinish() */
 PetscErrorCode CellSumsCreate(const Level *level, SymmetricBlocks *sums);
 /* Adds the matrix of a cell to the sums. Not collective. [in] Ke - [dim * num_nodes][dim * num_nodes] */
 void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], SymmetricBlocks *sums);

@@ -1,7 +1,8 @@
 /* condensation.c -- T'KT, which differs from K next to the contact only.
 
-   With T = I + E, T'KT = K + Z, Z = E'K + K E + E'K E = E'W + W'E, W = K (I + E / 2): E has rows at the nodes of the nonmortar sides alone,
-   so that of W no others are needed, and Z is as small. All is done with these rows, of which every rank has its own. */
+   With T = I + E, T'KT = K + Z, Z = E'K + K E + E'K E = E'W + W'E, W = K (I + E / 2). E has rows at the nodes
+   of the nonmortar sides alone. Of W no other rows are needed, and Z is as small. Every rank works on its own
+   of these rows. */
 #include "base/compat.h"
 #include "problem/condensation.h"
 
@@ -51,7 +52,8 @@ static PetscErrorCode CondensationCreateDifference_Private(Mat T, PetscInt *num,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Some rows of one matrix, or of two in turn: a matrix with as many columns. [in] other - NULL; rows - of this rank [num] */
+/* Some rows of one matrix, or of two in turn: a matrix with as many columns.
+   [in] other - NULL; rows - of this rank [num] */
 static PetscErrorCode CondensationCreateRows_Private(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
 {
   const Mat    from[2] = {one, other};
@@ -108,7 +110,7 @@ PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z)
   PetscCall(CondensationCreateRows_Private(num, rows, few, W, &left));
   PetscCall(CondensationCreateRows_Private(num, rows, W, few, &right));
   PetscCall(MatTransposeMatMult(left, right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z)); // both terms at once
-  PetscCall(MatProductClear(*Z));                                                    // it would keep its factors
+  PetscCall(MatProductClear(*Z)); // Z would keep references to its factors
   PetscCall(MatDestroy(&left));
   PetscCall(MatDestroy(&right));
   PetscCall(MatDestroy(&W));

@@ -1,6 +1,7 @@
 /* condensedmatrix.c -- the matrix A of the inequality, as a shell of products or as an AIJ matrix.
 
-   Iterations need its products alone, and these K and the little that condensing changes give without a second matrix of K's size. */
+   Iterations need its products alone. K and the small Z give these without a second matrix of the size of
+   K. */
 #include "base/compat.h"
 #include "problem/condensation.h"
 

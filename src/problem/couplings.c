@@ -31,7 +31,8 @@ static PetscErrorCode CouplingsAddProduct_Private(Mat *A, PetscReal a, Mat B, Ma
 }
 
 /* Joins the quadratic basis transformations of all pairs; a facet in several pairs has the same one in each.
-   [in] inverse - joins the inverse ones instead; [out] shift - owned by the caller, NULL where there is none */
+   [in] inverse - joins the inverse ones instead;
+   [out] shift - owned by the caller, NULL where there is none */
 static PetscErrorCode CouplingsUniteTransformations_Private(VI vi, PetscBool inverse, Mat *shift)
 {
   const PetscInt n = vi->level->num_owned, begin = vi->level->node_begin;
@@ -109,8 +110,8 @@ static PetscErrorCode CouplingsCreateKKT_Private(const Pair pair, Mat *record)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* basis = (D + record) S - D. If the pair's own side is transformed, S^-1 S = I there, and D and D_other stay as they are. Else
-   S is the identity at the nodes with multipliers, and D S = D. */
+/* basis = (D + record) S - D. If the pair's own side is transformed, S^-1 S = I there, and D and D_other stay
+   as they are. Else S is the identity at the nodes with multipliers, and D S = D. */
 static PetscErrorCode CouplingsCreateBasis_Private(const Pair pair, Mat shift, Mat *basis)
 {
   Mat other = NULL;
@@ -136,8 +137,9 @@ static PetscErrorCode CouplingsCountTransformation_Private(Mat shift, PetscInt r
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a node of this rank has a multiplier of one pair and a different transformation by another. The number of nodes in
-   its row of the transformation tells these apart: none, the two ends, or the two ends and the node. [out] torn */
+/* Whether a node of this rank has a multiplier of one pair and a different transformation by another. The
+   number of nodes in its row of the transformation tells these apart: none, the two ends, or the two ends and
+   the node. [out] torn */
 static PetscErrorCode CouplingsIsInconsistent_Private(const Pair pair, const Pair other, PetscBool *torn)
 {
   PetscInt num, num_own;

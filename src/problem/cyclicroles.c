@@ -1,8 +1,8 @@
 /* cyclicroles.c -- cyclic dependencies of roles in the graph of the pairs.
 
-   Pair p depends on pair q if a row of p has, on its mortar side, a node with a multiplier of q. In a cycle, the displacement of a
-   node would be determined by itself. The powers of the coupling do not show this: at a point that three bodies share they may
-   decrease slowly. */
+   Pair p depends on pair q if a row of p has, on its mortar side, a node with a multiplier of q. In a cycle,
+   the displacement of a node would be determined by itself. The powers of the coupling do not show this: at a
+   point that three bodies share they may decrease slowly. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "problem/cyclicroles.h"
@@ -23,7 +23,8 @@ static PetscErrorCode CyclicRolesMarkNodes_Private(const Pair pair, PetscInt bs,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0. [in] M - that of p, or its arm: bs rows of each node */
+/* Whether rows of p hold nodes of q: |diag(marks of p) M diag(marks of q)| > 0.
+   [in] M - that of p, or its arm: bs rows of each node */
 static PetscErrorCode CyclicRolesLeads_Private(const Pair p, const Pair q, Mat M, PetscInt bs, PetscBool *leads)
 {
   PetscReal all, common;
@@ -45,7 +46,7 @@ static PetscErrorCode CyclicRolesLeads_Private(const Pair p, const Pair q, Mat M
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds all ways over other pairs (Warshall). [in,out] leads - [n][n] */
+/* Transitive closure of the dependencies (Warshall). [in,out] leads - [n][n] */
 static void CyclicRolesCloseTransitively_Private(PetscInt n, PetscBool leads[])
 {
   for (PetscInt over = 0; over < n; over++) {

@@ -4,8 +4,8 @@
 
 #include "problem/vi.h"
 
-/* User error, with the names of the pairs: pairs depend on each other in a cycle, from mortar side to mortar side. Call it after
-   PairsCreate(). Collective. */
+/* User error, with the names of the pairs: pairs depend on each other in a cycle, from mortar side to mortar
+   side. Call it after PairsCreate(). Collective. */
 PetscErrorCode CyclicRolesCheck(VI vi);
 
 #endif

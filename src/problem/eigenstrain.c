@@ -1,7 +1,8 @@
 /* eigenstrain.c -- strains that a body has without stress: of temperature, and others (eq. 8.6).
 
-   All integrals have the rule of the stiffness. In cells with a Pi the change of volume without stress is projected like div u:
-   otherwise a temperature that varies in a nearly incompressible cell would leave a pressure that no displacement can take away. */
+   All integrals have the rule of the stiffness. In cells with a Pi the change of volume without stress is
+   projected like div u. Otherwise a varying temperature in a nearly incompressible cell would cause a
+   pressure that no displacement can relieve. */
 #include "base/compat.h"
 #include "problem/eigenstrain.h"
 #include "problem/volumestrain.h"
@@ -59,7 +60,8 @@ PetscErrorCode EigenstrainEvaluate(Scene scene, PetscInt material, const PetscRe
   if (!SceneBodyHasEigenstrain(scene, SceneMaterialBody(scene, material))) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(EigenstrainEvaluateAll_Private(scene, material, x, all));
   MaterialPickStrains(scene->model, all, e->strain);
-  /* sigma_zz = nu (sigma_xx + sigma_yy) - E eps_0,zz keeps eps_zz at 0; an anisotropic body has no eps_0,zz */
+  /* sigma_zz = nu (sigma_xx + sigma_yy) - E eps_0,zz keeps eps_zz at 0; an anisotropic body has no
+     eps_0,zz */
   if (scene->model == MODEL_PLANE_STRAIN && all[2] != 0.) {
     const PetscReal young = 2. * (1. + poisson) * C[8];
 
@@ -330,7 +332,7 @@ static void EigenstrainAddAxial_Private(Scene scene, const Cell *cell, const Pet
   }
 }
 
-/* How long a body is along its axis. Collective. */
+/* The extent of a body along its axis. Collective. */
 static PetscErrorCode EigenstrainGetLength_Private(const Level *level, PetscInt body, const PetscReal axis[],
                                                    PetscReal *length)
 {

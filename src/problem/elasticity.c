@@ -1,11 +1,11 @@
 /* elasticity.c -- stiffness K and load f of all bodies, before any boundary condition.
 
-   K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is exact on
-   parallelograms. This is int B_i' C B_j without the zeros of B. Where C is the same in the whole cell, the products of
-   derivatives are summed over the points first, and C is applied once. Axisymmetric cells add what the hoop strain
-   phi_j / r u_j costs, by itself and with the others (eq. 8.4). Cells of nearly incompressible bodies have C without its bulk
-   modulus there, and pay for what Pi leaves of their change of volume (eq. 9.1). Expressions are evaluated at quadrature points;
-   plain numbers once per material. */
+   K_ij^kl = int d_m phi_i C_kmln d_n phi_j, cell by cell over the level's tables, with the quadrature that is
+   exact on parallelograms. This is int B_i' C B_j without the zeros of B. Where C is the same in the whole
+   cell, the products of derivatives are summed over the points first, and C is applied once. Axisymmetric
+   cells add the terms of the hoop strain phi_j / r u_j (eq. 8.4). Cells of nearly incompressible bodies have
+   C without its bulk modulus there, which multiplies the projected change of volume Pi div u instead
+   (eq. 9.1). Expressions are evaluated at quadrature points; plain numbers once per material. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "base/usererror.h"
@@ -23,7 +23,8 @@ enum {
   MAX_CELL_DOFS = 3 * ELEMENT_MAX_NODES
 };
 
-/* A Hooke tensor whose smallest eigenvalue is below this share of the largest is not positive definite in double precision. */
+/* A Hooke tensor whose smallest eigenvalue is below this share of the largest is not positive definite in
+   double precision. */
 static const PetscReal DEFINITE_TOLERANCE = 1e-14;
 
 PetscErrorCode ElasticityHooke(Scene scene, PetscInt material, const PetscReal x[], PetscReal C[], PetscReal *poisson)
@@ -52,7 +53,7 @@ PetscBool ElasticityHookeIsConstant(Scene scene, PetscInt material)
   return (PetscBool)(ExpressionIsConstant(m->young) && ExpressionIsConstant(m->poisson));
 }
 
-/* What is wrong with moduli, "" while nothing is. */
+/* The first fault of the moduli. */
 typedef struct {
   char text[512];
 } Sentence;
@@ -78,7 +79,7 @@ static PetscErrorCode ElasticityCheckHooke_Private(Scene scene, PetscInt materia
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* C_kmln of a Hooke tensor, and what couples with the hoop strain of axisymmetric models. */
+/* C_kmln of a Hooke tensor, and the moduli of the hoop strain of axisymmetric models. */
 typedef struct {
   PetscBool isotropic;
   PetscReal lambda, mu;                 /* of an isotropic one */
@@ -207,8 +208,9 @@ MORTISE_WIDE static void ElasticityAddStiffness_Private(PetscInt dim, PetscInt n
   }
 }
 
-/* Ke_ij^kl += w (h_i^k t_j^l + t_i^k h_j^l) for i <= j, where h_j^l is the hoop strain of a unit displacement and t_j^l its hoop
-   stress, but half of what the hoop strain itself adds to that. [in] phi - [nn]; [in] grad - [nn][2] */
+/* Ke_ij^kl += w (h_i^k t_j^l + t_i^k h_j^l) for i <= j. h_j^l is the hoop strain of a unit displacement.
+   t_j^l is its hoop stress, with half of the term of the hoop strain itself, since the sum counts that twice.
+   [in] phi - [nn]; [in] grad - [nn][2] */
 static void ElasticityAddHoop_Private(PetscInt nn, const Moduli *moduli, PetscReal r, const PetscReal phi[],
                                       const PetscReal grad[], PetscReal w, PetscReal Ke[])
 {
@@ -230,7 +232,7 @@ static void ElasticityAddHoop_Private(PetscInt nn, const Moduli *moduli, PetscRe
   }
 }
 
-/* Room for the points of one cell, and what is wrong with their moduli. */
+/* Workspace for the points of one cell, and the first fault of their moduli. */
 typedef struct {
   Sentence  sentence;
   PetscReal x[ELEMENT_MAX_POINTS * 3], w[ELEMENT_MAX_POINTS],
@@ -293,7 +295,7 @@ static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level,
   PetscInt        num_materials = scene->num_bodies + scene->num_regions;
   ElementRule    *rules;
   Work           *work;
-  Law            *laws; // cells of a material need not follow one another
+  Law            *laws; // kept for all materials: their cells are in any order
   SymmetricBlocks sums;
 
   PetscFunctionBeginUser;
@@ -332,8 +334,8 @@ PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* v = u less the mean displacement of each body (an axisymmetric one moves along the axis alone): no energy is lost, and
-   what a long way and a small strain have in common does not cancel. */
+/* v = u less the mean displacement of each body (of an axisymmetric one along the axis alone). The energy is
+   the same, and large translations cause no cancellation in small strains. */
 static PetscErrorCode ElasticityRemoveTranslation_Private(Scene scene, const Level *level, Vec u, Vec v)
 {
   const PetscInt dim = level->dim, first = scene->model == MODEL_AXISYMMETRIC ? 1 : 0;

@@ -1,8 +1,9 @@
 /* frictionlaw.c -- friction of the pairs at their nodes.
 
-   Rows of B stand by pair, then by node, then by direction: a normal row of a pair with friction is followed by the tangents that supports leave
-   free. Where they leave none, the node cannot slide, and the normal row is like one without friction. The law has its nodes in the order of
-   their unknowns, whatever the order of pairs. */
+   Rows of B stand by pair, then by node, then by direction. With friction, a normal row is followed by rows
+   of the tangents that supports leave free. Where they leave none, the node cannot slide, and the normal row
+   is like one without friction. The law has its nodes in the order of their unknowns, whatever the order of
+   pairs. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "problem/frictionlaw.h"

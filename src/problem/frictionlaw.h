@@ -4,14 +4,16 @@
 
 #include "problem/vi.h"
 
-/* Evaluates coefficients and bounds of all pairs at their nodes, in the scales of vi; vi->friction, NULL where no pair has friction.
-   Raises a user error for a negative one. Collective. */
+/* Evaluates coefficients and bounds of all pairs at their nodes, in the scales of vi; vi->friction, NULL
+   where no pair has friction. Raises a user error for a negative one. Collective. */
 PetscErrorCode FrictionLawCreate(VI vi);
 /* The same for other data, scales, or another origin. Collective. */
 PetscErrorCode FrictionLawUpdate(VI vi);
-/* Where a node stands in the law, -1 where it has no friction: not in the order of rows. Not collective. [in] normal - global unknown */
+/* Position of a node in the law, whose order is not that of rows; -1 where it has no friction.
+   Not collective. [in] normal - global number of its normal unknown */
 PetscInt FrictionLawFind(const FrictionLaw *law, PetscInt normal);
-/* Whether limits are given at all nodes of all ranks (Tresca), and none follows a pressure: a convex problem. Collective. */
+/* Whether limits are given at all nodes of all ranks (Tresca), and none depends on a pressure: a convex
+   problem. Collective. */
 PetscErrorCode FrictionLawIsGiven(VI vi, PetscBool *given);
 PetscErrorCode FrictionLawDestroy(FrictionLaw **law);
 /* The law for y counted from another vector. Collective. [in] approach - NULL for none */

@@ -1,11 +1,12 @@
-/* inversebasis.c -- T^-1 as a matrix: what prolongation needs to give finer unknowns y the displacements that coarser ones have.
+/* inversebasis.c -- T^-1 as a matrix, for the prolongation of displacements between the unknowns y of two
+   levels.
 
-   y = T^-1 u asks for no series: the unknowns of multipliers are (B u)_row / D_row, the others of special nodes F u~, all others u~,
-   with u~ = S^-1 u (eq. 6.1). */
+   y = T^-1 u needs no series. With u~ = S^-1 u (eq. 6.1), unknowns of multipliers are (B u)_row / D_row, the
+   others of special nodes F u~, all others u~. */
 #include "base/compat.h"
 #include "problem/basischange.h"
 
-/* Where a row comes from. */
+/* The data of the rows of T^-1. */
 typedef struct {
   VI        vi;
   Mat       unshift; /* S^-1 - I or NULL */

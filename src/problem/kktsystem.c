@@ -74,7 +74,7 @@ PetscErrorCode KKTSystemSetGaps(VI vi)
   PetscCall(VecGetOwnershipRange(vi->G, &first, NULL));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const Pair pair = vi->pairs[vi->row_pair[r]];
-    PetscReal  gap  = 0; // of ties, and of tangents from where slip counts
+    PetscReal  gap  = 0; // of ties, and of tangents without a slip origin
 
     if (pair->spec->type != PAIR_TIED) {
       if (!vi->row_direction[r]) gap = pair->gap[vi->row_node[r]];

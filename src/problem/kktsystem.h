@@ -4,8 +4,8 @@
 
 #include "problem/basischange.h"
 
-/* Fills vi->B and vi->G from the pairs; row a, direction i of B is
-     thickness F_i . (D_aa u_a + (record u)_a)  with couplings->record = chain - M.  NULL where no pair has a multiplier. Collective. */
+/* Fills vi->B and vi->G from the pairs; row a, direction i of B is thickness F_i . (D_aa u_a + (record
+     u)_a)  with couplings->record = chain - M.  NULL where no pair has a multiplier. Collective. */
 PetscErrorCode KKTSystemCreate(VI vi, const NodeBases *bases, const Couplings *couplings);
 /* G by the gaps of the pairs. Collective. */
 PetscErrorCode KKTSystemSetGaps(VI vi);

@@ -1,44 +1,47 @@
 /* loadrefine.c -- loads given by formulas with jumps and kinks inside facets and cells.
 
-   A second rule, whose points reach the vertices, tells where a formula is not smooth. Only these elements are integrated anew, by
-   nested integrals that are cut at jumps and kinks (cubature.h). A curve may cross a facet between the points of both rules
-   and then cross its neighbour's as well: neighbours of such elements are looked at more closely. */
+   A second rule, whose points reach the vertices, tells where a formula is not smooth. Only these elements
+   are integrated anew, by nested integrals that are cut at jumps and kinks (cubature.h). A curve may cross a
+   facet between the points of both rules. Then it may cross the neighbours, too: finer rules check these. */
 #include "base/compat.h"
 #include "base/warning.h"
 #include "problem/loadterm.h"
 
 enum {
-  MAX_DIM       = 3,
-  FINER_POINTS  = 5,        /* points along each coordinate of the rule after the two that are compared first */
-  REGULAR_WORK  = 20000000, /* evaluations that all elements of a term may take together */
-  SWITCHED_WORK = 60000000, /* where it is known where the formula jumps: most of these are of a part of it alone */
-  LARGEST_WORK  = 3000000,  /* of one of them */
-  PLENTY        = 8 /* shares that one of them may have to begin with, where it is known where the formula jumps */
+  MAX_DIM      = 3,
+  FINER_POINTS = 5,        /* points along each coordinate of the third rule, after the two that are compared */
+  REGULAR_WORK = 20000000, /* evaluations that all elements of a term may take together */
+  SWITCHED_WORK =
+      60000000, /* the same where the place of a jump is known: most of these evaluate a part of the formula alone */
+  LARGEST_WORK = 3000000, /* of one of them */
+  PLENTY       = 8        /* largest budget in equal shares, where the place of a jump is known */
 };
 
-/* Evaluations that one may always take: of lines, facets in space or cells in the plane, and cells in space. On facets and in the
-   plane few elements, where a curve touches a line of points, take more than 10000. */
+/* Least budget of an element: of lines, of facets in space or cells in the plane, and of cells in space. On
+   facets and in the plane few elements, where a curve touches a line of points, take more than 10000. */
 static const PetscInt SMALLEST_WORK[MAX_DIM + 1] = {0, 1000000, 1000000, 20000};
 
-/* Components along each coordinate of lines, facets in space or cells in the plane, and cells in space: of all; and of those where two
-   rules differ, to begin with, and their neighbours. What is narrower is not seen. */
+/* Pieces along each coordinate of lines, facets in space or cells in the plane, and cells in space.
+   ROUGH_PIECES: the initial number where two rules differ, and for the neighbours. Narrower features are not
+   detected. */
 static const PetscInt PIECES[MAX_DIM + 1] = {0, 8, 2, 1}, ROUGH_PIECES[MAX_DIM + 1] = {0, 8, 8, 2},
                                        NEIGHBOUR_PIECES[MAX_DIM + 1] = {0, 8, 8, 4};
 
-/* What two rules may differ by, relative to the load on an element or to its share in the load of its datum: a tenth of what totals
-   are promised to. */
+/* Permitted difference of two rules, relative to the load on an element or to its share of the total: a tenth
+   of the accuracy that is promised for totals. */
 static const PetscReal ACCURACY = 1e-11, PROMISED = 1e-10;
 /* From rule to rule, errors of smooth functions fall at least so much. */
 static const PetscReal FALLING = 0.1;
-/* A component of a load is compared with no less than this part of the largest one of the scene: what is less by so much more may be
-   the rounding of sin(pi). */
+/* Least scale of a component, relative to the largest one of the scene: a smaller component may be the
+   roundoff of sin(pi). */
 static const PetscReal NEGLIGIBLE = 1e-5;
-/* Elements that would take too long are integrated to tolerances this much coarser, and then finer ones. */
+/* Elements that would exceed their budget are integrated to tolerances coarser by COARSEST, then finer by
+   FINER each. */
 static const PetscReal COARSEST = 1e8, FINER = 1e-2;
-/* Roundings of coordinates that points keep away from vertices. */
+/* Distance of points from vertices in roundings of coordinates, and its limits. */
 static const PetscReal ROUNDINGS = 32., LEAST_INSET = 1e-13, LARGEST_INSET = 1e-6;
 
-/* What a term is measured by, the same on all ranks. */
+/* Scales of a term, the same on all ranks. */
 typedef struct {
   PetscReal scale[MAX_DIM]; /* of each component's total */
   PetscReal num;            /* elements */
@@ -66,7 +69,8 @@ static PetscErrorCode LoadRefineSwitch_Private(void *ctx, PetscInt i, const Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A vertex is known to within the rounding of its coordinates; on which side of a jump that lies there is not. */
+/* Distance of points from vertices: at a vertex on a jump, roundoff of its coordinates would decide on the
+   side. */
 static PetscReal LoadRefineInsetPoint_Private(const LoadElement *element)
 {
   const PetscInt dim = element->term->dim, num = ElementNumNodes(ElementLinear(element->type));
@@ -158,7 +162,7 @@ static PetscReal LoadRefineGetOwn_Private(const LoadTerm *term, PetscInt e, Pets
   return sum;
 }
 
-/* Whether two rules differ by more than loads may be wrong by. [in] miss - [dim] */
+/* Whether two rules differ by more than the permitted error of loads. [in] miss - [dim] */
 static PetscBool LoadRefineDiffers_Private(const LoadTerm *term, const Measure *measure, PetscInt e,
                                            const PetscReal miss[])
 {
@@ -177,8 +181,10 @@ static PetscReal LoadRefineGetLargest_Private(PetscInt dim, const PetscReal miss
   return most;
 }
 
-/* Whether the errors of rules with ever more points fall as they do for smooth functions that are far from resolved: those of a jump or
-   a kink do not. [in] other - the integrals by Lobatto's rule, whose points are elsewhere; [out] finest - those by the last rule */
+/* Whether the errors of rules with ever more points decrease as for smooth functions; those of a jump or a
+   kink do not.
+   [in] other - the integrals by Lobatto's rule, whose points are elsewhere; [out] finest - the integrals by
+   the last rule */
 static PetscErrorCode LoadRefineFallsWithin_Private(Cubature *cubature, const LoadTerm *term, const Measure *measure,
                                                     PetscInt e, const PetscReal other[], PetscReal finest[],
                                                     PetscBool *falls)
@@ -198,17 +204,18 @@ static PetscErrorCode LoadRefineFallsWithin_Private(Cubature *cubature, const Lo
     PetscCall(CubatureGauss(cubature, points[i], value));
     LoadRefineGetDifference_Private(cubature->size, dim, value, finest, miss);
     most = LoadRefineGetLargest_Private(dim, miss);
-    if (i == 0) *falls = (PetscBool)(apart <= most);               // of a lower degree than Lobatto's
-    if (!LoadRefineDiffers_Private(term, measure, e, miss)) break; // all that are left are rounding
-    if (i == 2 && term->switches) *falls = PETSC_FALSE;            // halves of the cell do better
+    if (i == 0) *falls = (PetscBool)(apart <= most);               // of lower degree than Lobatto's rule
+    if (!LoadRefineDiffers_Private(term, measure, e, miss)) break; // only roundoff is left
+    if (i == 2 && term->switches) *falls = PETSC_FALSE;            // bisecting the cell is more accurate
     *falls = (PetscBool)(*falls && most <= FALLING * before);
     before = most;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Finds elements where the formula is not smooth; where it is but the rule for loads is too coarse, takes a finer one.
-   [out] pieces - to begin with, 0 where nothing is left to do [term->num]; [in,out] fa */
+/* Finds elements where the formula is not smooth. Where it is smooth but the rule for loads is too coarse,
+   takes a finer rule.
+   [out] pieces - initial number, 0 where nothing is left to do [term->num]; [in,out] fa - [num_nodes][dim] */
 static PetscErrorCode LoadRefineFindRough_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[],
                                                   PetscScalar fa[])
 {
@@ -247,7 +254,8 @@ static PetscErrorCode LoadRefineFindRough_Private(const LoadTerm *term, const Me
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks more closely at elements that share a node with one where two rules differ. Collective. [in,out] pieces - [term->num] */
+/* Finer check of elements that share a node with one where two rules differ. Collective.
+   [in,out] pieces - [term->num] */
 static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[])
 {
   PetscReal    fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], miss[MAX_DIM];
@@ -288,9 +296,10 @@ static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The integrals over one element, as accurate as its budget allows: to the tolerance at once, or, where that takes too long and it is not
-   known where the formula jumps, to tolerances that fall.
-   [in] tolerance - [dim]; [in,out] work - the budget, what it took; [out] fe - [num_nodes][dim]; [out] miss - what they may be wrong by [dim] */
+/* The integrals over one element within its budget. If the tolerance exceeds the budget, and the place of a
+   jump is unknown, tolerances decrease from a coarse one.
+   [in] tolerance - [dim]; [in,out] work - budget, then evaluations; [out] fe - [num_nodes][dim]; [out] miss -
+   error bound of fe [dim] */
 static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *element, PetscInt pieces,
                                                        const PetscReal tolerance[], PetscInt *work, PetscReal fe[],
                                                        PetscReal miss[])
@@ -314,14 +323,14 @@ static PetscErrorCode LoadRefineIntegrateRough_Private(const LoadElement *elemen
     for (PetscInt i = 0; i < cubature.size; i++) scaled[i] = factor * tolerance[i % dim];
     PetscCall(CubatureAdaptive(&cubature, next, &error));
     if (factor < COARSEST) LoadRefineGetDifference_Private(cubature.size, dim, fe, next, miss);
-    if (cubature.count > budget) break; /* the one before is the better one */
+    if (cubature.count > budget) break; /* the integral before is more accurate */
     PetscCall(PetscArraycpy(fe, next, cubature.size));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Evaluations that the next element may take. Where it is known where the formula jumps few of them need many: they have more as long as
-   there is plenty. [in] spent - by those before */
+/* The budget of the next element. Where the place of a jump is known few elements need many evaluations: they
+   may take up to PLENTY shares. [in] spent - evaluations of all elements before */
 static PetscInt LoadRefineBudget_Private(const LoadTerm *term, PetscReal num_rough, PetscReal spent)
 {
   const PetscReal least = SMALLEST_WORK[term->on_facets ? term->dim - 1 : term->dim];
@@ -331,14 +340,15 @@ static PetscInt LoadRefineBudget_Private(const LoadTerm *term, PetscReal num_rou
   return (PetscInt)PetscMax(least, PetscMin(LARGEST_WORK, more));
 }
 
-/* What is not reached in a term. */
+/* Errors above the tolerance in a term. */
 typedef struct {
   PetscReal miss[MAX_DIM]; /* on all elements */
   PetscReal worst;         /* on one of them, relative to the scale */
   PetscReal at[MAX_DIM];   /* its centre */
 } Shortfall;
 
-/* Integrates anew what is not smooth. [in] num_rough - elements on all ranks; [in,out] fa */
+/* Integrates elements with jumps or kinks anew.
+   [in] num_rough - elements on all ranks; [in,out] fa - [num_nodes][dim] */
 static PetscErrorCode LoadRefineIntegrate_Private(const LoadTerm *term, const Measure *measure, const PetscInt pieces[],
                                                   PetscReal num_rough, PetscScalar fa[], Shortfall *shortfall)
 {
@@ -374,7 +384,7 @@ static PetscErrorCode LoadRefineIntegrate_Private(const LoadTerm *term, const Me
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns where a total is not known as promised. Collective. */
+/* Warns where a total is less accurate than PROMISED. Collective. */
 static PetscErrorCode LoadRefineWarn_Private(const LoadTerm *term, const Measure *measure, Shortfall *shortfall)
 {
   const MPI_Comm comm  = term->level->comm;

@@ -1,8 +1,8 @@
 /* loads.c -- body forces, tractions and pressures as nodal loads, and strains without stress.
 
-   Plain numbers are integrated exactly; expressions with LoadGetDegree_Private(), so that the error of a load is of higher
-   order than that of the discretisation, and anew where they have jumps or kinks (loadrefine.c). Sums over facets and cells
-   are taken where they are held, then shared. */
+   Plain numbers are integrated exactly. Expressions have LoadGetDegree_Private(): the error of a load is of
+   higher order than that of the discretisation. Where they have jumps or kinks they are integrated anew
+   (loadrefine.c). Each rank sums over its own facets and cells; then the sums are shared. */
 #include "base/compat.h"
 #include "base/warning.h"
 #include <string.h>
@@ -10,20 +10,22 @@
 #include "problem/eigenstrain.h"
 #include "problem/loadterm.h"
 
-/* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each coordinate. */
+/* The degree of a constant body force: shape functions of order p times det J of degree dim p - 1 in each
+   coordinate. */
 static PetscInt LoadGetConstantDegree_Private(PetscInt dim, PetscInt order)
 {
   return (dim + 1) * order - 1;
 }
 
-/* Leaves an error of order h^6 in the work of a smooth load for order 1, h^8 for order 2. */
+/* The degree for formulas: the error in the work of a smooth load is of order h^6 for order 1, h^8 for order
+   2. */
 static PetscInt LoadGetDegree_Private(PetscInt order)
 {
   return 2 * order + 3;
 }
 
-/* On a facet, exact to degree 6 on flat ones. The measure of a curved one is not a polynomial, so that even constants are
-   exact only to within (the angle it turns by)^12. */
+/* On a facet, exact to degree 6 on flat ones. The measure of a curved one is not a polynomial, so that even
+   constants are exact only to within (the angle it turns by)^12. */
 PetscInt LoadElementFacetDegree(PetscInt order)
 {
   return 4 * order + 3;
@@ -237,8 +239,8 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Force, and moment about the centroid, of nodal loads; x of an element is that of its nodes, so that the moment of the nodal loads is
-   that of the load. [in] fa - [num_nodes][dim] */
+/* Adds force, and moment about the centroid, of nodal loads. Positions are those of nodes: shape functions
+   reproduce x, so that the moment is that of the load. [in] fa - [num_nodes][dim] */
 static PetscErrorCode LoadSumAdd_Private(const LoadTerm *term, const PetscScalar fa[], LoadSum *sum)
 {
   const PetscInt dim         = term->dim;
@@ -282,7 +284,7 @@ PetscErrorCode LoadSumsCompute(Scene scene, Level *level, PetscInt body, const c
     first = PETSC_FALSE;
     PetscCall(PetscArrayzero(fa, level->num_nodes * level->dim));
     PetscCall(LoadsAddTerm_Private(&term, fa));
-    WarningMute(); // the assembly has told
+    WarningMute(); // the assembly has warned
     PetscCall(LoadTermsRefine(level, 1, &term, fa));
     WarningUnmute();
     PetscCall(LoadSumAdd_Private(&term, fa, sum));

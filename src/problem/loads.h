@@ -4,10 +4,11 @@
 
 #include "mesh/mesh.h"
 
-/* f_i = int phi_i b + int_side phi_i t - int_side phi_i p nu + int B_i' C eps_0, times the thickness. Collective. [in,out] f - ghosted, shared */
+/* f_i = int phi_i b + int_side phi_i t - int_side phi_i p nu + int B_i' C eps_0, times the thickness.
+   Collective. [in,out] f - ghosted, shared */
 PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f);
 
-/* What the loads on a side add up to, of all ranks, with the thickness or the ring. */
+/* Sums of the loads on a side over all ranks, with the thickness or the ring. */
 typedef struct {
   PetscReal force[3], moment[3]; /* moment about the centroid; of no meaning in axisymmetric scenes */
   PetscReal centre[3], area;     /* of the side */

@@ -1,16 +1,20 @@
 /* loadspread.c -- total forces and moments of a side as tractions.
 
-   A traction t = a + b x (x - c) with c the centroid of the side has the resultant A a and the moment J b about c (eq. 8.5),
-       J = int |r|^2 I - r r',   r = x - c,
-   so that a total force and a total moment each have one such traction. The integrals are those of the rule that integrates the load,
-   on the same facets: what the nodal loads add up to is the datum but for rounding, on curved sides as well. */
+   Let c be the centroid of the side. A traction t = a + b x (x - c) has the resultant A a and the moment J b
+   about c (eq. 8.5),
+
+       J = int |r|^2 I - r r',   r = x - c.
+
+   So a total force and a total moment each have one such traction. The rule is that of the load, on the same
+   facets. So nodal loads sum up to the datum except for roundoff, also on curved sides. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "problem/loadterm.h"
 
 enum { MOMENTS = 10 }; /* of a side: 1, x, x x' */
 
-/* Area, first and second moments of the side about a point, of all ranks. [in] origin - [3]; [out] sums - [MOMENTS] */
+/* Area, first and second moments of the side about a point, of all ranks.
+   [in] origin - [3]; [out] sums - [MOMENTS] */
 static PetscErrorCode LoadSpreadGetMoments_Private(const LoadTerm *term, const PetscReal origin[], PetscReal sums[])
 {
   const PetscInt dim = term->dim;

@@ -34,12 +34,13 @@ typedef struct {
   PetscReal       X[3 * ELEMENT_MAX_NODES]; /* [num_nodes][dim] */
 } LoadElement;
 
-/* A load on the facets of a side of a body, or where boundary is NULL on the cells of a material. Collective. [in] material - or the
-   body; [out] term - to be freed by LoadTermDestroy() */
+/* A load on the facets of a side of a body, or where boundary is NULL on the cells of a material. Collective.
+   [in] material - or the body; [out] term - to be freed by LoadTermDestroy() */
 PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt material, const SceneBoundary *boundary,
                               LoadTerm *term);
 PetscErrorCode LoadTermDestroy(LoadTerm *term);
-/* Spreads the total force or moment of a side: sets traction, spin, centre. Collective. [in] moment - whether value is a moment */
+/* Spreads the total force or moment of a side: sets traction, spin, centre. Collective.
+   [in] moment - whether value is a moment */
 PetscErrorCode LoadTermSpread(LoadTerm *term, PetscBool moment);
 /* The centroid of a side. Collective. [out] centre - [3]; [out] area - with the measure */
 PetscErrorCode LoadTermCentroid(const LoadTerm *term, PetscReal centre[], PetscReal *area);
@@ -47,7 +48,8 @@ PetscErrorCode LoadTermCentroid(const LoadTerm *term, PetscReal centre[], PetscR
 /* Degree of the rule for facets of an order. */
 PetscInt LoadElementFacetDegree(PetscInt order);
 void     LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element);
-/* value_i = weight phi_i t dx/dxi at xi, t the force per area or volume. Not collective. [out] value - [num_nodes][dim] */
+/* value_i = weight phi_i t dx/dxi at xi, t the force per area or volume. Not collective.
+   [out] value - [num_nodes][dim] */
 PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[], PetscReal weight, PetscReal value[]);
 /* fe = the integrals over the element by the rule that loads have where they are smooth. Not collective. */
 PetscErrorCode LoadElementIntegrate(const LoadElement *element, PetscReal fe[]);
@@ -57,10 +59,11 @@ void LoadElementAdd(const LoadElement *element, PetscReal scale, const PetscReal
 /* sums_k += sum_i |fe_ik|. [in] fe - [num_nodes][dim]; [in,out] sums - [dim] */
 void LoadElementSums(const LoadElement *element, const PetscReal fe[], PetscReal sums[]);
 
-/* Compares the integrals of LoadElementIntegrate() over element e with those of a second rule: writes own and miss of the term.
-   Not collective. [in] fe - [num_nodes][dim] */
+/* Compares the integrals of LoadElementIntegrate() over element e with those of a second rule: writes own and
+   miss of the term. Not collective. [in] fe - [num_nodes][dim] */
 PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const PetscReal fe[]);
-/* Integrates formulas anew where two rules differ, and warns of what is not reached. Collective; own and miss of all elements are set.
+/* Integrates formulas anew where two rules differ, and warns of what is not reached. Collective; own and miss
+   of all elements are set.
    [in,out] fa - holds the integrals of all elements by LoadElementIntegrate() [level->num_nodes][dim] */
 PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], PetscScalar fa[]);
 

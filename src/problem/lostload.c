@@ -1,7 +1,7 @@
 /* lostload.c -- see the header.
 
-   A facet counts if it lies on the fixed side and on the loaded one. Nodes are no criterion: the load of a facet beside a fixed side
-   reaches the nodes that both have, and only a part that vanishes with the cells is lost there. */
+   A facet counts if it lies on the fixed side and on the loaded one. Nodes are no criterion: a facet beside a
+   fixed side loads the common nodes, too, and this part vanishes with the size of the cells. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/warning.h"
@@ -65,7 +65,8 @@ static PetscErrorCode LostLoadAddFacet_Private(LostLoad *lost, const LoadElement
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sums over the facets of this rank that have the load; a facet belongs to one cell, and its nodes tell which facet it is. */
+/* Sums over the facets of this rank that have the load; a facet belongs to one cell, and its nodes tell which
+   facet it is. */
 static PetscErrorCode LostLoadAddSide_Private(LostLoad *lost, PetscInt b)
 {
   LoadTerm  load;
@@ -112,7 +113,7 @@ static void LostLoadShow_Private(PetscInt dim, const PetscReal v[], PetscReal ro
   (void)snprintf(text + used, len - used, ")");
 }
 
-/* Says what is lost. Collective. */
+/* Warns of the lost part. Collective. */
 static PetscErrorCode LostLoadTell_Private(LostLoad *lost)
 {
   const PetscInt dim     = lost->level->dim;

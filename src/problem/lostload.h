@@ -4,8 +4,9 @@
 
 #include "mesh/mesh.h"
 
-/* Warns of each load on a side whose displacement is given in the direction of the load: that part of the load goes into the support and
-   moves nothing. Names side, direction and lost force. Costs nothing where no side is both fixed and loaded. Collective. */
+/* Warns of each load on a side whose displacement is given in the direction of the load: this part goes into
+   the support and moves nothing. The warning has side, direction and lost force. No work where no side is
+   both fixed and loaded. Collective. */
 PetscErrorCode LostLoadsWarn(Scene scene, Level *level);
 
 #endif

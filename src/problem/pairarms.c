@@ -25,7 +25,8 @@ PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds combinations of a node's rows of an arm to rows of A. [in] weight - of the node's rows in row first + l [num][dim] */
+/* Adds combinations of a node's rows of an arm to rows of A.
+   [in] weight - of the node's rows in row first + l [num][dim] */
 static PetscErrorCode PairArmsAddRows_Private(PetscInt dim, Mat arm, PetscInt node, PetscInt num,
                                               const PetscReal weight[], PetscInt first, Mat A)
 {

@@ -1,4 +1,5 @@
-/* pairarms.h -- what the arms of ties across a gap add to rows (eq. 5.4). Nothing where an arm is NULL. */
+/* pairarms.h -- terms of the lever arms of ties across a gap in rows (eq. 5.4). Nothing where an arm is
+   NULL. */
 #ifndef MORTISE_PAIRARMS_H
 #define MORTISE_PAIRARMS_H
 
@@ -6,7 +7,8 @@
 
 /* Entries of the rows of a node that this rank owns. Not collective. [in] row - the node's first */
 PetscErrorCode PairArmsCount(Mat arm, PetscInt row, PetscInt *num);
-/* Marks the nodes in the rows of a node. Not collective. [in] row - the node's first; [in,out] marks - one of each node */
+/* Marks the nodes in the rows of a node. Not collective.
+   [in] row - the node's first; [in,out] marks - one of each node */
 PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks);
 /* Adds -F_i arm to row r of B, in the user's units. Not collective. [in] row - the same, global */
 PetscErrorCode PairArmsAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row);

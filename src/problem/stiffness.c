@@ -1,7 +1,8 @@
 /* stiffness.c -- see the header.
 
-   K is the largest thing in memory. As an AIJ matrix it would take three times as much, and iterations would want this form beside it. Blocks
-   that couple to unknowns of other ranks follow by themselves, whole. */
+   K takes more memory than anything else. An AIJ matrix would take three times as much, and iterations would
+   need this form beside it for its faster products. Blocks that couple to unknowns of other ranks are stored
+   separately, in full. */
 #include "problem/stiffness.h"
 #include "base/compat.h"
 
@@ -11,8 +12,8 @@ typedef struct {
   PetscInt    *start, *column; /* blocks among ghosts, by rows [num+1], [start[num]]; NULL on one rank, as all below */
   PetscScalar *value;          /* [start[num]][bs][bs] */
   PetscInt     num_ghosts;
-  PetscInt    *ghost;  /* unknowns of other ranks, ascending [num_ghosts] */
-  Vec          ghosts; /* what they are */
+  PetscInt    *ghost;  /* global numbers of unknowns of other ranks, ascending [num_ghosts] */
+  Vec          ghosts; /* their values */
   VecScatter   scatter;
   PetscInt     node, max, length; /* row that was asked for last, room, entries of each of its rows */
   PetscBool    written;           /* whether rows has them */
@@ -118,7 +119,8 @@ static PetscErrorCode StiffnessSetColumns_Private(Stiffness *s, PetscInt node)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Their values. Blocks left of the diagonal lie in other rows: to collect them costs more than the columns. */
+/* Values of these rows. Blocks left of the diagonal lie in other rows: collecting them costs more than the
+   columns. */
 static void StiffnessSetValues_Private(Stiffness *s)
 {
   const PetscInt bs = s->bs, begin = s->start ? s->start[s->node] : 0, end = s->start ? s->start[s->node + 1] : 0;
@@ -331,7 +333,8 @@ PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Which blocks a matrix has. [out] start, column - by block rows; owned by the caller [num+1], [start[num]] */
+/* Which blocks a matrix has.
+   [out] start, column - by block rows; owned by the caller [num+1], [start[num]] */
 static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt num, PetscInt **start, PetscInt **column)
 {
   PetscFunctionBeginUser;
@@ -352,7 +355,8 @@ static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt n
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Copies values of the blocks of each row from one of them on. [in] skip - entries of the row before; NULL for none [num] */
+/* Copies values of the blocks of each row from one of them on.
+   [in] skip - entries of the row before; NULL for none [num] */
 static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, PetscInt bs, PetscInt num, const PetscInt start[],
                                                   const PetscInt diagonal[], PetscScalar value[])
 {
@@ -373,7 +377,8 @@ static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, PetscInt bs, PetscInt n
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What it takes to have the unknowns of other ranks that this rank's rows couple to. [in] ghost - which these are */
+/* Creates the scatter of the ghosts: unknowns of other ranks that this rank's rows couple to.
+   [in] ghost - their global numbers, ascending */
 static PetscErrorCode StiffnessSetGhosts_Private(Mat A, Mat others, const PetscInt ghost[], Stiffness *s)
 {
   IS  from;

@@ -5,10 +5,12 @@
 #include <petscmat.h>
 #include "problem/symmetricblocks.h"
 
-/* K of one process. It knows products, rows, its diagonal and its infinity norm; MatConvert() makes an AIJ matrix of it. Collective.
+/* K of one process. It knows products, rows, its diagonal and its infinity norm; MatConvert() makes an AIJ
+   matrix of it. Collective.
    [in] blocks - taken over; [out] K - a shell, owned by the caller */
 PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K);
-/* The same of an AIJ matrix, on any number of ranks. Collective. [in] A - symmetric, in full blocks of its block size */
+/* The same of an AIJ matrix, on any number of ranks. Collective.
+   [in] A - symmetric, in full blocks of its block size; copied */
 PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K);
 /* factor K for products alone, of the same entries. Collective. [out] S - a shell, owned by the caller */
 PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S);

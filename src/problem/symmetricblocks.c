@@ -1,14 +1,16 @@
 /* symmetricblocks.c -- see the header.
 
-   The time of a product is that of reading the matrix from memory. Half of the blocks, with one column for each block, take half
-   of the time. A product uses each block twice: for its row, and transposed for the row of its column (eq. 13.2). */
+   The time of a product is that of reading the matrix from memory. Half of the blocks, with one column for
+   each block, take half of the time. A product uses each block twice: for its row, and transposed for the row
+   of its column (eq. 13.2). */
 #include "problem/symmetricblocks.h"
 #include "base/compat.h"
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #endif
 
-/* Numbers after the last block: a register is loaded with four numbers, of which a row of a block uses three. */
+/* Numbers after the last block: a register is loaded with four numbers, of which a row of a block uses
+   three. */
 enum { PADDING = 1 };
 
 PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[], PetscInt column[],
@@ -48,14 +50,14 @@ PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscI
   const PetscInt *column = &blocks->column[blocks->diagonal[i]];
   PetscInt        lower = 0, size = blocks->start[i + 1] - blocks->diagonal[i];
 
-  while (size > 1) { // without branches, which processors would predict badly
+  while (size > 1) { // without branches, which would be mispredicted
     lower += column[lower + size / 2] <= j ? size / 2 : 0;
     size -= size / 2;
   }
   return &blocks->value[(size_t)(blocks->first[i] + lower) * blocks->bs * blocks->bs];
 }
 
-/* Blocks left of the diagonal are stored in other rows. They are prefetched so many blocks before they are read. */
+/* Blocks left of the diagonal are stored in other rows: they are prefetched this number of blocks ahead. */
 enum { AHEAD = 8 };
 
 void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt width, PetscScalar rows[])
@@ -115,8 +117,8 @@ static inline void SymmetricBlocksAddProduct_Private(const PetscInt bs, const Sy
 }
 
 #if defined(__x86_64__) && defined(__GNUC__)
-/* The same for blocks of space on processors with AVX2: a register has a row of a block. Blocks in the cache take 0.6 of the
-   time, blocks in memory 0.9. Blocks of the plane would gain little. */
+/* The same for blocks of space on processors with AVX2: a register has a row of a block. Blocks in the cache
+   take 0.6 of the time, blocks in memory 0.9. Blocks of the plane would gain little. */
 __attribute__((target("avx2,fma"))) static void SymmetricBlocksAddProduct_AVX2(const SymmetricBlocks *blocks,
                                                                                PetscReal              factor,
                                                                                const PetscScalar *restrict x,

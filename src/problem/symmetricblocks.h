@@ -1,4 +1,5 @@
-/* symmetricblocks.h -- a symmetric matrix in square blocks, of which those on and right of the diagonal are stored. */
+/* symmetricblocks.h -- a symmetric matrix in square blocks, of which those on and right of the diagonal are
+   stored. */
 #ifndef MORTISE_SYMMETRICBLOCKS_H
 #define MORTISE_SYMMETRICBLOCKS_H
 
@@ -15,20 +16,22 @@ typedef struct {
 } SymmetricBlocks;
 
 /* Creates a matrix of zeros. Not collective.
-   [in] start, column - blocks of every row, on both sides of the diagonal, ascending; owned by blocks from now on
+   [in] start, column - blocks of every row, on both sides of the diagonal, ascending; owned by blocks from
+   now on
    [out] blocks - owned by the caller, SymmetricBlocksDestroy() */
 PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[], PetscInt column[],
                                      SymmetricBlocks *blocks);
 /* Not collective. */
 PetscErrorCode SymmetricBlocksDestroy(SymmetricBlocks *blocks);
-/* The stored block of row i and column j >= i, which must be in the pattern. Not collective. Borrowed [bs][bs] */
+/* The stored block of row i and column j >= i, which must be in the pattern. Not collective. Borrowed
+   [bs][bs] */
 PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscInt j);
 /* Copies row i with all of its blocks. Not collective. [in] width - distance of two rows of numbers in rows;
    [out] rows - [bs][width] */
 void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt width, PetscScalar rows[]);
 /* y = factor V x for these blocks V. Not collective. [in] x, [out] y - [num][bs] */
 void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[]);
-/* The same without instructions that the processor may lack: for the unit test. */
+/* The same without AVX2: for the unit test. */
 void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[],
                                  PetscScalar y[]);
 

@@ -1,7 +1,7 @@
 /* vi.c -- from a scene and a mesh to one bound-constrained variational inequality, and back.
 
-   Stages: supports and pairs (mortar), K and f (assembly), B, T, A and bounds (condense). Fixed unknowns are eliminated from
-   A here, so that a solver sees inequalities only. */
+   Stages: supports and pairs (mortar), K and f (assembly), B, T, A and bounds (condense). Fixed unknowns are
+   eliminated from A here, so that a solver sees inequalities only. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "base/log.h"
@@ -28,7 +28,7 @@ static PetscErrorCode VIChooseStiffness_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The displacement to expect: prescribed, by interference, or of the loads. */
+/* The expected size of the displacement: prescribed, by interference, or by the loads. */
 static PetscErrorCode VIChooseLength_Private(VI vi)
 {
   PetscReal force, interference = 0;
@@ -40,11 +40,12 @@ static PetscErrorCode VIChooseLength_Private(VI vi)
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &interference, 1, MPIU_REAL, MPIU_MAX, vi->level->comm));
   vi->length = PetscMax(force / vi->stiffness, PetscMax(interference, vi->support.max_value));
-  if (vi->length <= 0) vi->length = 1; // nothing moves anything: the answer is zero in any unit
+  if (vi->length <= 0) vi->length = 1; // no load, displacement or overlap: the solution is zero in any unit
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* b = T'f / (stiffness length) without the fixed unknowns, whose values are on the right-hand side. [in] values - [vi->num_fixed] */
+/* b = T'f / (stiffness length) without the fixed unknowns, whose values are on the right-hand side.
+   [in] values - [vi->num_fixed] */
 static PetscErrorCode VISetLoad_Private(VI vi, const PetscReal values[])
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
@@ -151,7 +152,8 @@ static PetscErrorCode VISetBounds_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Supports, contact and the matrices of one level. [in] scales - an inequality whose scales it shares, or NULL;
+/* Supports, contact and the matrices of one level.
+   [in] scales - an inequality whose scales it shares, or NULL;
    [in] K - AIJ, in place of the level's own, or NULL */
 static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *level, VI scales, Mat K, VI *vi_out)
 {
@@ -296,7 +298,7 @@ PetscErrorCode VISetSlipOrigin(VI vi, Vec u)
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse)
 {
   PetscFunctionBeginUser;
-  WarningMute(); // what is not well with a coarser level says nothing of the answer
+  WarningMute(); // warnings of a coarser level do not concern the solution
   PetscCall(VICreateOnLevel_Private(vi->scene, vi->mesh, &vi->mesh->levels[l], vi, K, coarse));
   WarningUnmute();
   PetscFunctionReturn(PETSC_SUCCESS);

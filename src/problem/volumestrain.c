@@ -1,11 +1,12 @@
 /* volumestrain.c -- mean dilatation of the cells of a body (eq. 9.1).
 
-   Every cell is judged by itself, so that a Poisson's ratio that varies costs nothing where it is low, and a mesh of
-   triangles and quadrilaterals takes each as it needs. Nothing of this is kept: results ask again. */
+   The method is chosen cell by cell: a varying Poisson's ratio adds no work where it is low, and triangles
+   and quadrilaterals of one mesh differ. Nothing is stored: results compute Pi again. */
 #include "base/compat.h"
 #include "problem/volumestrain.h"
 
-/* Beside the measure, 1 / r makes the integrand of axisymmetric cells no polynomial: as much again. */
+/* In axisymmetric cells the integrand has 1 / r and is no polynomial: the degree of the measure is added
+   twice. */
 static PetscInt VolumeStrainStiffnessDegree_Private(Scene scene, ElementType type)
 {
   return ElementStiffnessDegree(type) + 2 * SceneMeasureDegree(scene, ElementOrder(type));
@@ -54,7 +55,7 @@ PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The displacement phi_i along the radius stretches rings by phi_i / r beside its derivative. */
+/* A radial displacement phi_i adds the hoop strain phi_i / r to its derivative. */
 void VolumeStrainDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[],
                             const PetscReal w[], PetscReal grad[], Dilatation *dilatation)
 {

@@ -7,12 +7,13 @@
 /* Coordinates of a cell's nodes. [out] X - [num_nodes][dim] */
 void VolumeStrainCoordinates(const Level *level, PetscInt c, PetscReal X[]);
 
-/* Pi of a cell whose points are known already. [in] x - [rule->num][dim]; [in] w - weights with det J and the measure
-   [rule->num]; [in,out] grad - derivatives of shape functions, which become div [rule->num][num_nodes][dim] */
+/* Pi of a cell whose points are known already.
+   [in] x - [rule->num][dim]; [in] w - weights with det J and the measure [rule->num]; [in,out] grad -
+   derivatives of shape functions, which become div [rule->num][num_nodes][dim] */
 void VolumeStrainDilatation(Scene scene, DilatationKind kind, const ElementRule *rule, const PetscReal x[],
                             const PetscReal w[], PetscReal grad[], Dilatation *dilatation);
 
-/* What is to be said of cells of a material that lock, and what would do instead. [out] sentence - [len] */
+/* The message for cells of a material that lock, with the remedy. [out] sentence - [len] */
 void VolumeStrainLockingText(Scene scene, PetscInt material, ElementType type, PetscReal poisson, char sentence[],
                              size_t len);
 
