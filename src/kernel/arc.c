@@ -1,15 +1,16 @@
 /* arc.c -- the curve that nodal normals make of a straight edge.
 
-   With d = x1 - x0 and 2 gamma the angle between the normals at its ends, an arc of a circle rises above its chord by
-   d.(n1 - n0) / (4 (1 + cos gamma)), along n0 + n1. On a cylinder d.(n1 - n0) leaves the part of d along the axis out, so that the
-   same holds there. Both ends see the half of it: b = d.n1 and a = -d.n0 are equal on circles, and elsewhere their harmonic mean
-   differs from half their sum by a part of (b - a)^2 / (b + a)^2, which is of the order of what any curve through two points and
-   normals errs by. It vanishes with either of them. */
+   Let d = x1 - x0, and 2 gamma the angle between the normals at the ends. An arc of a circle rises above its
+   chord by d.(n1 - n0) / (4 (1 + cos gamma)), along n0 + n1. On a cylinder d.(n1 - n0) omits the part of d
+   along the axis, so that the same holds. Each end has half of the sum: b = d.n1 and a = -d.n0 are equal on
+   circles. Elsewhere their harmonic mean is taken, which vanishes with either of them. It differs from half
+   their sum by a part (b - a)^2 / (b + a)^2. This is of the order of the error of any curve through two
+   points and normals. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
 
-/* Edges that turn by less between their ends are straight: rounding of normals. */
+/* Edges that turn by less between their ends are straight: roundoff of normals. */
 static const PetscReal STRAIGHT_ARC = 1e-11;
 /* Edges that turn by 30 degrees and more are those of polygons: |n0 + n1| is 2 cos 15 degrees there. */
 static const PetscReal SMOOTH_ARC = 1.9318516525781366;

@@ -4,19 +4,22 @@
 
 #include "kernel/element.h"
 
-/* From the middle of the chord between two points to the middle of the curve that has these unit normals there, across the
-   chord: exact on circles, spheres and cylinders along any direction. Nothing, exactly, where the edge is straight at one of its
-   ends: a flat side that ends in a fillet, or at another flat one, stays flat. Also where it bends both ways, or turns by 30 degrees and more.
+/* Offset from the middle of a chord to the middle of the curve with these unit normals at the ends, across
+   the chord. Exact on circles, spheres and cylinders along any direction. Exactly zero where the edge is
+   straight at one end: a flat side that ends in a fillet, or at another flat one, stays flat. Also zero where
+   it bends both ways, or turns by 30 degrees and more. Not collective.
    [in] x0, n0, x1, n1 - [dim]; [out] offset - [dim] */
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscReal offset[]);
 
-/* What the curves over the edges of a facet of first order add to its points, as values at the nodes of the facet of second
-   order: nothing at vertices, the offsets in the middles of edges, half of their sum in that of a quad (Coons 1967). Returns
-   whether there is any. [in] X, N - nodes and unit normals [num_nodes][dim]; [out] bulge - [nodes of the facet of second order][dim] */
+/* Offsets of a facet of first order to the curves over its edges, at the nodes of the facet of second order:
+   zero at vertices, those of the edges in their middles, half of the sum of these in the middle of a quad
+   (Coons 1967). Returns whether any is not zero. Not collective.
+   [in] X, N - nodes and unit normals [num_nodes][dim];
+   [out] bulge - [nodes of the facet of second order][dim] */
 PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[]);
 
-/* That at xi, along a direction. [in] type - of first order; n - [dim] */
+/* This offset at xi, along a direction. Not collective. [in] type - of first order; n - [dim] */
 PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[]);
 
 #endif

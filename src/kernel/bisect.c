@@ -1,9 +1,10 @@
 /* bisect.c -- conforming bisection.
 
-   A tetrahedron is (a0 a1 | a2 a3) with the refinement edge a0 a1. Both facets on that edge have it as their marked edge. Facet 0,
-   (a0 a2 a3), and facet 1, (a1 a2 a3), have marked edges of their own. Halved at w, the child that keeps a0 has the marked edge
-   of facet 0 as its refinement edge, and likewise for a1. The facets that are cut have the edge opposite w marked. The new facet,
-   (w a2 a3), has a2 a3 marked, except in a flat cell with the flag: one whose marked edges all bound one facet. */
+   A tetrahedron is (a0 a1 | a2 a3) with the refinement edge a0 a1. Both facets on that edge have it as their
+   marked edge. Facet 0, (a0 a2 a3), and facet 1, (a1 a2 a3), have marked edges of their own. Halved at w, the
+   child that keeps a0 has the marked edge of facet 0 as its refinement edge, and likewise for a1. The facets
+   that are cut have the edge opposite w marked. The new facet, (w a2 a3), has a2 a3 marked, except in a flat
+   cell with the flag. A cell is flat if its marked edges all bound one facet. */
 #include "kernel/bisect.h"
 #include "base/compat.h"
 
@@ -107,7 +108,7 @@ PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell)
 }
 
 /* Whether a permutation is odd. */
-static PetscBool IsOdd_Private(PetscInt num, const PetscInt order[])
+static PetscBool PermutationIsOdd_Private(PetscInt num, const PetscInt order[])
 {
   PetscInt inversions = 0;
 
@@ -122,7 +123,8 @@ static unsigned char MarksJoin_Private(PetscInt facet0, PetscInt facet1, PetscBo
   return (unsigned char)(facet0 | facet1 << EDGE_BITS | (flag ? FLAG : 0));
 }
 
-/* The order in which a child lists its parent's vertices, w in the place of the one that it does not keep; its marks.
+/* The order in which a child lists its parent's vertices, w in the place of the one that it does not keep;
+   its marks.
    [in] keep - 0 or 1, the end that it keeps; [out] order - [dim+1] */
 static unsigned char ChildOrder_Private(PetscInt dim, unsigned char marks, PetscInt keep, PetscInt order[])
 {
@@ -159,7 +161,7 @@ static void BisectionSetChild_Private(Bisection *mesh, PetscInt cell, PetscInt k
   unsigned char  marks  = ChildOrder_Private(mesh->dim, mesh->marks[cell], keep, order);
   unsigned char  turned = mesh->marks[cell] & TURNED; // w where the other end was is the same sense
 
-  if (IsOdd_Private(num, order)) turned ^= TURNED;
+  if (PermutationIsOdd_Private(num, order)) turned ^= TURNED;
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt k = order[i];
 
@@ -208,7 +210,8 @@ static PetscBool BisectionMustCut_Private(const Bisection *mesh, const Cuts *cut
   return PETSC_FALSE;
 }
 
-/* Cuts until no cell must be: what a pass over the cells cuts may hang on cells that it has passed. */
+/* Cuts until no vertex hangs: a pass over the cells may leave hanging vertices on cells that it has
+   passed. */
 static PetscErrorCode BisectionClose_Private(Bisection *mesh, Cuts *cuts)
 {
   PetscBool again = PETSC_TRUE;
@@ -216,7 +219,7 @@ static PetscErrorCode BisectionClose_Private(Bisection *mesh, Cuts *cuts)
   PetscFunctionBeginUser;
   while (again) {
     again = PETSC_FALSE;
-    for (PetscInt c = 0; c < mesh->num_cells; c++) { // children that come last are met by the same pass
+    for (PetscInt c = 0; c < mesh->num_cells; c++) { // includes the children appended by this pass
       while (BisectionMustCut_Private(mesh, cuts, c)) {
         again = PETSC_TRUE;
         PetscCall(BisectionCut_Private(mesh, cuts, c));
@@ -288,7 +291,8 @@ PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The order of edges: by length, then by their ends. Lengths are measured from the lower end, once for all cells. */
+/* The order of edges: by length, then by their ends. Lengths are measured from the lower end, once for all
+   cells. */
 typedef struct {
   PetscInt64 length;
   PetscInt   low, high;
@@ -317,8 +321,8 @@ static PetscBool EdgeIsLonger_Private(EdgeRank a, EdgeRank b)
   return (PetscBool)(a.high < b.high);
 }
 
-/* The longest edge among some vertices of a cell. [in] places - of those vertices in the cell [num]; [out] i, j - places of its
-   ends */
+/* The longest edge among some vertices of a cell.
+   [in] places - of those vertices in the cell [num]; [out] i, j - places of its ends */
 static void CellFindLongest_Private(const Bisection *mesh, const PetscReal coords[], PetscReal unit, PetscInt cell,
                                     PetscInt num, const PetscInt places[], PetscInt longest[2])
 {

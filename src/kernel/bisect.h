@@ -1,14 +1,17 @@
 /* bisect.h -- conforming bisection of triangles and tetrahedra.
 
-   A cell is halved through the middle of its refinement edge, the one between its first two vertices. In the plane the next
-   refinement edge is opposite the newest vertex [1]; in space marks on facets tell it [2]. Descendants of a cell have
-   a bounded number of shapes, and no decision after the first marks depends on rounding. The result of a refinement is the
-   coarsest conforming one that halves what was asked for: it depends on no numbering.
+   A cell is halved through the middle of its refinement edge, the one between its first two vertices. In the
+   plane the next refinement edge is opposite the newest vertex [1]; in space marks on facets determine it
+   [2]. Descendants of a cell have a bounded number of shapes, and no decision after the first marks depends
+   on rounding. The result of a refinement is the coarsest conforming one that halves what was asked for: it
+   depends on no numbering.
 
    References:
-     [1] W. F. Mitchell, A comparison of adaptive refinement techniques for elliptic problems, ACM Trans. Math. Softw. 15
+     [1] W. F. Mitchell, A comparison of adaptive refinement techniques for elliptic problems, ACM Trans.
+     Math. Softw. 15
          (1989) 326-347.
-     [2] D. N. Arnold, A. Mukherjee, L. Pouly, Locally adapted tetrahedral meshes using bisection, SIAM J. Sci. Comput. 22
+     [2] D. N. Arnold, A. Mukherjee, L. Pouly, Locally adapted tetrahedral meshes using bisection, SIAM J.
+     Sci. Comput. 22
          (2000) 431-448. */
 #ifndef MORTISE_BISECT_H
 #define MORTISE_BISECT_H
@@ -29,8 +32,8 @@ typedef struct {
   PetscInt *generation;      /* bisections since the beginning [num_cells] */
   PetscInt (*ends)[2];       /* of the edge whose middle a vertex is; -1 for the first ones [num_vertices] */
 
-  /* Since the last BisectionRefine() began: the cell of then, and the barycentric coordinates of each vertex in it, with the vertices in
-     the order that cell had; all are dyadic, hence exact [num_cells] */
+  /* The cell before the last BisectionRefine(), and the barycentric coordinates of each vertex in it, in that
+     cell's order of vertices. These are dyadic, hence exact [num_cells] */
   PetscInt *parent;
   PetscReal (*place)[BISECT_MAX_VERTICES][BISECT_MAX_VERTICES];
 
@@ -38,20 +41,23 @@ typedef struct {
   PetscInt      *goal;  /* private: generation that is asked for [num_cells] */
 } Bisection;
 
-/* Begins with a conforming mesh. The longest edge of a cell and of each facet is its refinement edge, by length, then by the vertices'
-   numbers; cells list it first, so their vertices are reordered. Not collective.
-   [in] cells - [num_cells][dim+1]; facets - [num_cells][dim+1]; coords - where lengths are measured [num_vertices][dim] */
+/* Begins with a conforming mesh. The longest edge of a cell and of each facet is its refinement edge, by
+   length, then by the vertices' numbers; cells list it first, so their vertices are reordered.
+   Not collective.
+   [in] cells - [num_cells][dim+1]; facets - [num_cells][dim+1]; coords - where lengths are measured
+   [num_vertices][dim] */
 PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
                                const PetscInt facets[], const PetscReal coords[], Bisection *mesh);
 PetscErrorCode BisectionDestroy(Bisection *mesh);
-/* Whether a cell's vertices are in the other sense than those of the first mesh were. */
+/* Whether the orientation of a cell's vertices is opposite to that in the first mesh. Not collective. */
 PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell);
 
-/* Bisects cells dim times for each mark, which halves their edges, and others as often as that makes them hang. Cells are in the order of
-   their parents. Vertices keep their numbers; new ones follow. Not collective.
+/* Bisects cells dim times for each mark, which halves their edges, and other cells until no vertex hangs.
+   Cells are in the order of their parents. Vertices keep their numbers; new ones follow. Not collective.
    [in] marked - how often edges are halved [num_cells] */
 PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[]);
-/* The same with the cells of now: parents and places stay those of the last BisectionRefine(). */
+/* The same for the present cells: parents and coordinates refer to the cells before the last
+   BisectionRefine(). Not collective. */
 PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[]);
 
 #endif

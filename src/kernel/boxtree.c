@@ -1,8 +1,8 @@
 /* boxtree.c -- a balanced tree over boxes, halved at the median centre of the widest direction.
 
-   The tree is implicit: the boxes are permuted so that every node is a range [begin, end) that is halved in the middle,
-   and the node k has its children at 2k + 1 and 2k + 2. Only the bounds of the nodes are stored. Halving by count keeps
-   the tree shallow whatever the grading of a mesh: a query takes O(log n) plus its hits.
+   The tree is implicit. The boxes are permuted so that every node is a range [begin, end), halved in the
+   middle; node k has its children at 2k + 1 and 2k + 2. Only the bounds of the nodes are stored. Halving by
+   count keeps the tree shallow whatever the grading of a mesh: a query takes O(log n) plus its hits.
 
    Reference:
      [1] C. Ericson, Real-Time Collision Detection (2005), sections 6.2 and 6.6. */
@@ -19,7 +19,8 @@ struct _n_BoxTree {
   PetscInt  *hits;   /* of the last query [n] */
 };
 
-/* Compares (twice) the centres of two boxes; the index breaks ties, so that equal centres have an order, too. */
+/* Compares (twice) the centres of two boxes; the index breaks ties, so that equal centres have an order,
+   too. */
 static PetscBool BoxTreeIsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a, PetscInt b)
 {
   const PetscReal *A = &tree->boxes[2 * a * tree->dim + axis], *B = &tree->boxes[2 * b * tree->dim + axis];
@@ -28,8 +29,8 @@ static PetscBool BoxTreeIsBefore_Private(BoxTree tree, PetscInt axis, PetscInt a
   return centre_a < centre_b || (centre_a == centre_b && a < b) ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Permutes order[begin..end) so that the box at middle is where sorting along the axis would put it, what comes before
-   it is on its left and the rest on its right: Hoare's selection, linear time on average. */
+/* Partially sorts order[begin..end) along the axis: the box at middle is in its place, smaller ones are
+   before it, larger ones behind it. Hoare's selection, linear time on average. */
 static void BoxTreeSelect_Private(BoxTree tree, PetscInt axis, PetscInt begin, PetscInt middle, PetscInt end)
 {
   PetscInt *order = tree->order, left = begin, right = end - 1;
@@ -140,7 +141,7 @@ static PetscBool BoxTreeBoxesMeet_Private(PetscInt dim, const PetscReal a[], con
   return PETSC_TRUE;
 }
 
-/* What a query looks for. */
+/* The region of a query. */
 typedef struct {
   const PetscReal *box;
   PetscInt         num_slabs;

@@ -11,8 +11,9 @@ typedef struct _n_BoxTree *BoxTree;
 PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], BoxTree *tree);
 PetscErrorCode BoxTreeDestroy(BoxTree *tree);
 
-/* Bounds of the parts on one level of the tree: at most max (>= 1) boxes of about equally many boxes each, which together hold
-   all; none for an empty tree. Not collective. [out] cover - borrowed from the tree [num][2][dim] */
+/* Bounds of the parts on one level of the tree: at most max (>= 1) boxes of about equally many boxes each,
+   which together hold all; none for an empty tree. Not collective.
+   [out] cover - borrowed from the tree [num][2][dim] */
 PetscErrorCode BoxTreeGetCover(BoxTree tree, PetscInt max, PetscInt *num, const PetscReal *cover[]);
 
 /* The boxes that meet the query box (touching counts), in ascending order of index. Not collective.
@@ -24,7 +25,8 @@ typedef struct {
   PetscReal direction[3], lower, upper;
 } BoxSlab;
 
-/* The boxes that meet the query box and each slab: for what lies askew and is long. Not collective.
+/* The boxes that meet the query box and each slab: for long regions that are not along an axis.
+   Not collective.
    [in] slabs - [num_slabs]; the rest as BoxTreeQuery() */
 PetscErrorCode BoxTreeQuerySlabs(BoxTree tree, const PetscReal query[], PetscInt num_slabs, const BoxSlab slabs[],
                                  PetscInt *num_hits, const PetscInt *hits[]);

@@ -15,7 +15,7 @@ static const Part BOX_PARTS[8] = {{{0, 0, 0}, UNIT}, {{1, 0, 0}, UNIT}, {{0, 1, 
 
 static const PetscInt TURNED[3][3] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
 
-/* The inner one is turned round: from the middle of the longest side inwards. */
+/* The inner one is rotated by 180 degrees: from the middle of the longest side inwards. */
 static const Part TRIANGLE_PARTS[4] = {{{0, 0, 0}, UNIT}, {{1, 0, 0}, UNIT}, {{0, 1, 0}, UNIT}, {{1, 1, 0}, TURNED}};
 
 static const PetscInt INNER[4][3][3] = {{{-1, 1, 1}, {-1, 1, 0}, {0, 1, 0}},
@@ -23,8 +23,8 @@ static const PetscInt INNER[4][3][3] = {{{-1, 1, 1}, {-1, 1, 0}, {0, 1, 0}},
                                         {{-1, 1, 1}, {0, 0, 1}, {-1, 0, 1}},
                                         {{-1, 1, 1}, {-1, 0, 1}, {-1, 1, 0}}};
 
-/* The inner octahedron is cut along the diagonal from the middle of edge 01 to that of edge 23; four tetrahedra stand around
-   it, each between two neighbours among the middles of 02, 12, 13, 03. */
+/* The inner octahedron is cut along the diagonal from the middle of edge 01 to that of edge 23; four
+   tetrahedra stand around it, each between two neighbours among the middles of 02, 12, 13, 03. */
 static const Part TETRAHEDRON_PARTS[8] = {{{0, 0, 0}, UNIT},     {{1, 0, 0}, UNIT},     {{0, 1, 0}, UNIT},
                                           {{0, 0, 1}, UNIT},     {{1, 0, 0}, INNER[0]}, {{1, 0, 0}, INNER[1]},
                                           {{1, 0, 0}, INNER[2]}, {{1, 0, 0}, INNER[3]}};

@@ -1,26 +1,31 @@
-/* clip.c -- which part of a nonmortar facet sees a mortar facet along its normals (eq. 4.4), as quadrature points.
+/* clip.c -- which part of a nonmortar facet sees a mortar facet along its normals (eq. 4.4), as quadrature
+   points.
 
    In the plane. The side of a mortar node y on which the ray from x(xi) along n(xi) passes is the sign of
-       f(xi) = cross(x(xi) - y, n(xi)),
-   a polynomial of twice the facet's order. A ray meets a mortar facet where the signs of its two ends differ, so the
-   ends of a piece are roots of f or ends of the nonmortar facet. f depends on the nonmortar facet and one mortar node:
-   neighbours in a chain of mortar facets share the roots of their common node to the last bit, and their pieces neither
-   overlap nor leave a hole. The projection of a far end may exist or not.
+       f(xi) = cross(x(xi) - y, n(xi)), a polynomial of twice the facet's order. A ray meets a mortar facet
+   where the signs of its two ends differ. So the ends of a piece are roots of f or ends of the nonmortar
+   facet. f depends on the nonmortar facet and one mortar node. Neighbours in a chain of mortar facets share
+   the roots of their common node to the last bit: their pieces neither overlap nor leave a hole. The
+   projection of a far end may exist or not.
 
-   In space. Both facets are projected onto the auxiliary plane of the nonmortar one [1], which is normal to the sum of its
-   nodal normals. There they are polygons: triangles and quads as they are, facets of second order and quads that are not
-   convex in parts [2]. The common part of two such polygons is cut into triangles, each with a quadrature rule.
+   In space. Both facets are projected onto the auxiliary plane of the nonmortar one [1], which is normal to
+   the sum of its nodal normals. There they are polygons: triangles and quads as they are, facets of second
+   order and quads that are not convex in parts [2]. The common part of two such polygons is cut into
+   triangles, each with a quadrature rule.
 
-   A part is a piece of its facet's reference cell, mapped linearly or bilinearly. A point of the plane is pulled back to
-   the reference cell of the nonmortar facet by the map of its part. Parts cover the reference cell exactly once, however
-   the facet is curved. This xi, not the point of the plane, is the quadrature point: it has a place x on the true facet,
-   and the true measure |dx/dxi| as its weight. The point opposite to x is found on the true mortar facet. Hence the
-   integrals are those of the facet's surface, and linear fields on flat interfaces pass from side to side without error.
+   A part is a piece of its facet's reference cell, mapped linearly or bilinearly. A point of the plane is
+   pulled back to the reference cell of the nonmortar facet by the map of its part. Parts cover the reference
+   cell exactly once, however the facet is curved. This xi, not the point of the plane, is the quadrature
+   point. Its position is x on the true facet, its weight has the true measure |dx/dxi|. The point opposite to
+   x is found on the true mortar facet. Hence the integrals are those of the facet's surface, and linear
+   fields on flat interfaces pass from side to side without error.
 
    References:
-     [1] M. A. Puso, T. A. Laursen, A mortar segment-to-segment contact method for large deformation solid mechanics,
+     [1] M. A. Puso, T. A. Laursen, A mortar segment-to-segment contact method for large deformation solid
+     mechanics,
          Comput. Methods Appl. Mech. Engng 193 (2004).
-     [2] M. A. Puso, T. A. Laursen, J. Solberg, A segment-to-segment mortar contact method for quadratic elements and large
+     [2] M. A. Puso, T. A. Laursen, J. Solberg, A segment-to-segment mortar contact method for quadratic
+     elements and large
          deformations, Comput. Methods Appl. Mech. Engng 197 (2008). */
 #include "kernel/clip.h"
 #include "kernel/facetpolygon.h"
@@ -33,27 +38,28 @@ static const PetscReal SHORTEST_PIECE = 1e-12;
 
 enum { MAX_ORDER = 2, MAX_CUTS = 2 + 2 * 2 * MAX_ORDER }; /* two ends of the facet, the roots of two mortar ends */
 
-/* Share of the size by which a point lies inside of a polygon whatever roundoff says. */
+/* A point counts as inside only this share of the size away from the edges, so that roundoff cannot put it
+   outside. */
 static const PetscReal INSIDE = 1e-10;
 
-/* How far beyond a curved mortar facet, in reference coordinates, a point may lie: curved sides are not where the straight
-   ones are that polygons have. */
+/* Permitted excess of a point beyond a curved mortar facet, in reference coordinates: polygons have straight
+   edges, the facet curved ones. */
 static const PetscReal CURVED_EXCESS = 0.25;
 
 static const PetscReal CLIP_NEWTON_STEP = 1e-12;
 
 enum { NEWTON_MAX_STEPS = 20 };
 
-/* A facet relative to an origin. If that is a node of the facet, points in a plane across an axis stay in it exactly, at any distance
-   from the origin of coordinates, and gaps have the digits of differences of coordinates. [in] origin - [dim]; [out] X - nodes of
-   the result [num_nodes][dim] */
+/* A facet relative to an origin. If the origin is a node of the facet, points in a plane across an axis stay
+   in it exactly, however far it is. Gaps then have the accuracy of differences of coordinates.
+   [in] origin - [dim]; [out] X - nodes of the result [num_nodes][dim] */
 static ClipFacet ClipFacetFrom_Private(PetscInt dim, const PetscReal origin[], const ClipFacet *facet, PetscReal X[])
 {
   for (PetscInt i = 0; i < dim * ElementNumNodes(facet->type); i++) X[i] = facet->X[i] - origin[i % dim];
   return (ClipFacet){facet->type, X, facet->N};
 }
 
-/* f in the form that does not cancel near its roots. */
+/* f in the form without cancellation near its roots. */
 static PetscReal ClipRaySide_Private(const PetscReal x[], const PetscReal n[], const PetscReal y[])
 {
   const PetscReal r[2] = {x[0] - y[0], x[1] - y[1]};
@@ -102,8 +108,9 @@ static PetscInt ClipFindRoots_Private(const ClipFacet *facet, const PetscReal y[
   return RootsInside(2 * order, c, roots);
 }
 
-/* Where a ray meets a mortar facet whose ends lie on different sides of it: the root of
-   f_0 + b eta + c eta^2 = 0 between 0 and 1, by the formula that does not cancel. [in] f - of its nodes [num_nodes] */
+/* The intersection of a ray with a mortar facet whose ends lie on different sides of it. This is the root of
+   f_0 + b eta + c eta^2 = 0 between 0 and 1, by the formula without cancellation.
+   [in] f - of its nodes [num_nodes] */
 static PetscReal ClipMeetLine_Private(ElementType type, const PetscReal f[])
 {
   const PetscReal sense = f[1] > f[0] ? 1. : -1., rise = sense * (f[1] - f[0]); /* made to rise from below zero */
@@ -208,10 +215,10 @@ static PetscInt ClipLineCorners_Private(const ClipFacet *nonmortar, const ClipFa
   return num;
 }
 
-/* --- in space --------------------------------------------------------------------------------------------------- */
+/* --- in space ------------------------------------------------------------------------------------------- */
 
-/* Newton's method for the point of a plane cell that lies at p, from a start, which xi holds. The last step may be one of
-   roundoff, which in needles is large: no bound is asked of it. Returns whether xi is a number.
+/* Newton's method for the point of a plane cell at p, from the start xi. The last step has no bound: it may
+   be roundoff, which is large in needles. Returns whether xi is a number.
    [in] P - [num_nodes][2]; [in,out] xi - [2] */
 static PetscBool ClipPullBack_Private(ElementType type, const PetscReal P[], const PetscReal p[], PetscReal xi[])
 {
@@ -246,8 +253,8 @@ static PetscReal ClipMapBilinear_Private(const PetscReal map[], const PetscReal 
   return d[0] * d[3] - d[1] * d[2];
 }
 
-/* Pulls p back to the facet's reference cell by the map of a part, by Newton's method, which ends after one step where the map is
-   affine; returns how much larger areas are there than in the plane, 0 where it fails. [out] xi - [2] */
+/* Pulls p back to the facet's reference cell by the map of a part with Newton's method; one step where the
+   map is affine. Returns the ratio of areas there and in the plane, 0 where it fails. [out] xi - [2] */
 static PetscReal ClipPullBackPart_Private(const FacetPart *part, const PetscReal p[], PetscReal xi[])
 {
   const PetscInt max_steps = part->affine ? 1 : NEWTON_MAX_STEPS;
@@ -268,8 +275,8 @@ static PetscReal ClipPullBackPart_Private(const FacetPart *part, const PetscReal
   return area > 0. ? PetscAbsReal(ClipMapBilinear_Private(part->to_reference, s, xi, d)) / area : 0.;
 }
 
-/* Where the mortar facet lies before p: by the map of its part, then, where that is not the facet's own, on the true facet.
-   The map of the part counts where this leads far away. [out] eta - [2] */
+/* The point of the mortar facet at p: by the map of its part, then, where that is not the facet's own map, on
+   the true facet. The map of the part counts where the true facet gives a point far away. [out] eta - [2] */
 static PetscBool ClipPullBackMortar_Private(const FacetPolygon *mortar, const FacetPart *part, const PetscReal p[],
                                             PetscReal eta[])
 {
@@ -303,10 +310,10 @@ static PetscBool ClipSetPoint_Private(const FacetPlane *plane, const FacetPolygo
   return PETSC_TRUE;
 }
 
-/* The triangles of a convex polygon: between its sides and the mean of its vertices, so that it does not matter which one is
-   the first; or, where the rule is exact and this does not matter either, between its sides and its last vertex, two less. One
-   triangle may then be all that is covered of a facet.
-   Returns their number. [in] P - [n][2]; [out] triangles - [n][3][2] */
+/* The triangles of a convex polygon. If the rule is exact they are between its sides and its last vertex.
+   Else they are between its sides and the mean of its vertices, two more: the result does not depend on the
+   first vertex. In the exact case one triangle may be the whole covered part of a facet. Returns their
+   number. [in] P - [n][2]; [out] triangles - [n][3][2] */
 static PetscInt ClipTriangulate_Private(PetscInt n, const PetscReal P[], PetscBool exact, PetscReal triangles[])
 {
   const PetscInt num     = exact ? n - 2 : n;
@@ -338,7 +345,8 @@ static PetscBool ClipProjectFacets_Private(const ClipFacet *nonmortar, const Cli
   return PETSC_TRUE;
 }
 
-/* The common part of two parts; returns the number of its vertices, 0 where it has no area. [out] P - [POLYGON_MAX_VERTICES][2] */
+/* The common part of two parts; returns the number of its vertices, 0 where it has no area.
+   [out] P - [POLYGON_MAX_VERTICES][2] */
 static PetscInt ClipIntersectParts_Private(const FacetPart *a, const FacetPart *b, PetscReal size, PetscReal P[])
 {
   const PetscInt n = PolygonIntersect(ElementNumNodes(a->type), a->plane, ElementNumNodes(b->type), b->plane,
@@ -379,7 +387,8 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
 
   if (!ClipProjectFacets_Private(&near, &far, &plane, &own, &other)) return 0;
   num_rule = QuadratureRule(ELEMENT_TRI3, degree, xi, w);
-  enough = num_rule >= ElementNumNodes(nonmortar->type) ? PETSC_TRUE : PETSC_FALSE; /* to tell shape functions apart */
+  enough   = num_rule >= ElementNumNodes(nonmortar->type) ? PETSC_TRUE
+                                                          : PETSC_FALSE; /* for linearly independent shape functions */
   for (PetscInt pair = 0; pair < own.num_parts * other.num_parts; pair++) {
     const FacetPart *a = &own.parts[pair / other.num_parts], *b = &other.parts[pair % other.num_parts];
     const PetscInt   n = ClipIntersectParts_Private(a, b, plane.size, P);

@@ -1,12 +1,13 @@
 /* closest.c -- the point of a facet that is nearest to a given one, by Gauss-Newton steps.
 
-   On a straight line or a flat triangle one step is exact. A point whose foot is beyond the facet has its nearest point on an edge. */
+   On a straight line or a flat triangle one step is exact. A point whose foot is beyond the facet has its
+   nearest point on an edge. */
 #include "kernel/closest.h"
 #include "kernel/vector.h"
 
 enum { MAX_STEPS = 30, MAX_EDGES = 4 };
 
-/* Steps on the reference cell below this are rounding; distances from its edges, too. */
+/* Steps on the reference cell, and distances from its edges, below these are roundoff. */
 static const PetscReal SMALL_STEP = 1e-14, ON_EDGE = 1e-12;
 
 /* A line in the reference cell. */
@@ -32,7 +33,8 @@ static void ClosestPointOffset_Private(PetscInt dim, ElementType type, const Pet
   }
 }
 
-/* The nearest point on a segment of the reference cell. Returns its squared distance. [out] eta - [ElementDim] */
+/* The nearest point on a segment of the reference cell. Returns its squared distance.
+   [out] eta - [ElementDim] */
 static PetscReal ClosestPointOnSegment_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal x[],
                                                const Segment *segment, PetscReal eta[])
 {

@@ -1,15 +1,16 @@
-/* cubature.c -- integrals over reference cells: product rules, and nested adaptive integrals, cut at jumps and kinks.
+/* cubature.c -- integrals over reference cells: product rules, and nested adaptive integrals, cut at jumps
+   and kinks.
 
-   Cells that a jump crosses cannot be cut along it by halves of theirs: 2^k of them leave an error of 2^-k. Lines can: on a line
-   a jump is a point, which k bisections find to 2^-k. So the reference cell is taken as the unit cube (simplices with the
-   collapsed coordinates of [1], in which inner lines stay straight), and integrals are nested. What the inner integral gives
-   is continuous where jumps are not along its line; its kinks, where a jump leaves the cell, are found by bisection as well, and
-   so is a jump of it where they are. The error of a piece of a line is estimated by two rules without common points: Gauss-Legendre
-   with 4 and Gauss-Lobatto with 5. Their errors have opposite signs and the ratio 4 : 5, so that the sum below is exact to
-   degree 9.
+   Bisection of cells resolves a jump slowly: 2^k cells leave an error of 2^-k. On a line a jump is a point,
+   which k bisections find to 2^-k. So integrals are nested. The reference cell is the unit cube; simplices
+   have the collapsed coordinates of [1], in which inner lines stay straight. The inner integral is continuous
+   except where a jump is along its line. Its jumps, and its kinks where a jump leaves the cell, are found by
+   bisection, too. The error of a piece of a line is estimated by two rules without common points:
+   Gauss-Legendre with 4 and Gauss-Lobatto with 5. Their errors have opposite signs and the ratio 4 : 5, so
+   that the sum below is exact to degree 9.
 
-   References: [1] M. G. Duffy, Quadrature over a pyramid or cube of integrands with a singularity at a vertex, SIAM J.
-   Numer. Anal. 19 (1982). */
+   References: [1] M. G. Duffy, Quadrature over a pyramid or cube of integrands with a singularity at a
+   vertex, SIAM J. Numer. Anal. 19 (1982). */
 #include "base/compat.h"
 #include "kernel/cubature.h"
 #include "kernel/planecut.h"
@@ -17,7 +18,7 @@
 
 enum {
   CUBATURE_LOBATTO = 5,
-  CUBATURE_POINTS  = 9 /* of a piece: Gauss-Lobatto with 5 and Gauss-Legendre with 4 by turns, in ascending order */
+  CUBATURE_POINTS  = 9 /* of a piece, ascending: Gauss-Lobatto with 5 and Gauss-Legendre with 4 alternate */
 };
 
 /* Points and weights of a piece on [0,1]; the weights of each rule sum to 1. */
@@ -29,7 +30,8 @@ static const PetscReal CUBATURE_WEIGHT[CUBATURE_POINTS] = {
     0.05,       0.17392742256872692869, 49. / 180., 0.32607257743127307131, 16. / 45., 0.32607257743127307131,
     49. / 180., 0.17392742256872692869, 0.05};
 
-/* The integrand at a point of the unit cube, with the Jacobian of the collapsed coordinates; counts it. [in] u - [dim] */
+/* The integrand at a point of the unit cube, with the Jacobian of the collapsed coordinates; counts it.
+   [in] u - [dim] */
 static PetscErrorCode CubatureEvaluate_Private(Cubature *cubature, const PetscReal u[], PetscReal value[])
 {
   const Reference *cell = &REFERENCE[cubature->type];
@@ -105,37 +107,39 @@ PetscErrorCode CubatureLobatto(Cubature *cubature, PetscReal value[])
 
 enum {
   POINTS        = CUBATURE_POINTS,
-  MAX_TAKEN     = 200, /* pieces of one line: an integrand that is rounding has no end of them */
+  MAX_TAKEN     = 200, /* pieces of one line: limit for an integrand of roundoff */
   MAX_INTERVALS = 2 * MAX_TAKEN + CUBATURE_MAX_PIECES + 3,
   MAX_HINTS     = 8,
-  TRIALS        = 5, /* bisections after which a jump or kink shows itself */
+  TRIALS        = 5, /* bisections after which a jump or kink is recognized */
   WINDOW        = 5  /* points of the second differences that find a kink */
 };
 
-/* An inner integral is as much more accurate than the one around it, which must not take its errors for kinks. */
+/* Tolerance of an inner integral relative to the outer one, which must not detect its errors as kinks. */
 static const PetscReal INNER_TOLERANCE = 1. / 32.;
-/* In more than one dimension all is done with a tolerance this much larger before, for the hints. */
+/* In more than one dimension a first pass has a tolerance this much larger: it gives the hints. */
 static const PetscReal SURVEY = 1e4;
-/* Part of the tolerance that a piece may be wrong by, and what is left beside a jump or kink that has been found. */
+/* Permitted errors as parts of the tolerance: of a piece, and of the rest beside a jump or kink that was
+   found. */
 static const PetscReal PIECE = 0.5, FOUND = 1. / 64.;
 /* A kink as near to the end of a piece, compared with its length, is at its end. */
 static const PetscReal NEAR = 1e-3;
 /* Points as near to each other are the same. */
 static const PetscReal SAME_KINK = 1e-9;
 
-/* Where lines of one direction have found jumps and kinks. */
+/* Jumps and kinks found on lines of one direction. */
 typedef struct {
   PetscInt  num;
   PetscReal at[MAX_HINTS];
 } Hints;
 
-/* What all lines of one integral share. */
+/* Data of all lines of one integral. */
 typedef struct {
   Cubature *cubature;
   Hints     hints[3]; /* of each direction: points between the jumps and kinks of the last line that had some */
 } Nest;
 
-/* One line of the unit cube: along its last coordinate, or where level is less than that along the integrals of such. */
+/* One line of the unit cube: along its last coordinate, or where level is less than that along the integrals
+   of such. */
 typedef struct {
   Nest      *nest;
   PetscInt   level; /* coordinate along the line */
@@ -143,8 +147,8 @@ typedef struct {
   PetscReal  unit;  /* part of the tolerance that is this line's */
 } Line;
 
-/* A part of a line. Towards an end with a root, where a curve along which the integrand jumps touches the line, points are
-   taken at squares of their distance, by which the root goes away. */
+/* A part of a line. Where a curve of jumps touches the line, the integrand has a square root at an end. There
+   points are squares of a parameter, in which the integrand is smooth. */
 typedef struct {
   PetscReal a, b;
   PetscInt  root;   /* -1 at a, 1 at b, 0 none */
@@ -164,8 +168,8 @@ static PetscReal CubaturePiecePoint_Private(const Interval *piece, PetscReal p, 
   return piece->root < 0 ? 2. * p : 2. * q;
 }
 
-/* What a line integrates, at s: the integrand, or an integral along the next coordinate, whose error comes in units of this
-   line's. */
+/* The function that a line integrates, at s: the integrand, or an integral along the next coordinate.
+   [out] error - in units of this line's tolerance */
 static PetscErrorCode CubatureEvaluateLine_Private(const Line *line, PetscReal s, PetscReal value[], PetscReal *error)
 {
   const Line inner = {line->nest, line->level + 1, line->u, line->unit * INNER_TOLERANCE};
@@ -195,7 +199,8 @@ static PetscReal CubatureNorm_Private(const Line *line, PetscInt num, const Pets
   return largest / line->unit;
 }
 
-/* What the two rules differ by on a piece of length 1, in units of the line's tolerance. [in] w - [POINTS] */
+/* The difference of the two rules on a piece of length 1, in units of the line's tolerance.
+   [in] w - [POINTS] */
 static PetscReal CubatureRuleDifference_Private(const Line *line, const PetscReal w[], PetscReal v[][CUBATURE_MAX_SIZE])
 {
   PetscReal        c[POINTS];
@@ -208,7 +213,8 @@ static PetscReal CubatureRuleDifference_Private(const Line *line, const PetscRea
   return CubatureNorm_Private(line, POINTS, c, at);
 }
 
-/* Looks for a jump between the two points of a piece whose values differ most. [in] v - [POINTS][CUBATURE_MAX_SIZE];
+/* Looks for a jump between the two points of a piece whose values differ most.
+   [in] v - [POINTS][CUBATURE_MAX_SIZE];
    [out] cut - around the jump; returns whether there is one */
 static PetscErrorCode CubatureFindJump_Private(const Line *line, const Interval *piece,
                                                PetscReal v[][CUBATURE_MAX_SIZE], Interval *cut, PetscBool *found)
@@ -242,7 +248,7 @@ static PetscErrorCode CubatureFindJump_Private(const Line *line, const Interval 
     PetscCall(CubatureEvaluateLine_Private(line, s, m, &error));
     side[0] = CubatureNorm_Private(line, 2, difference, (const PetscReal *const[]){at[0], m});
     side[1] = CubatureNorm_Private(line, 2, difference, (const PetscReal *const[]){m, at[1]});
-    k       = side[0] > side[1] ? 1 : 0; /* the end that goes */
+    k       = side[0] > side[1] ? 1 : 0; /* the end that is replaced */
     jump    = side[1 - k];
     spare   = at[k];
     at[k]   = m;
@@ -251,16 +257,17 @@ static PetscErrorCode CubatureFindJump_Private(const Line *line, const Interval 
       cut->b = s;
     else
       cut->a = s;
-    /* what is smooth loses half with every step, a root at its end less than a third */
+    /* each step halves a smooth difference, and takes less than a third of a root's */
     if (step == TRIALS && jump < 0.3 * first) PetscFunctionReturn(PETSC_SUCCESS);
   }
-  *found = (PetscBool)(step > TRIALS); // else it is too small to be one
+  *found = (PetscBool)(step > TRIALS); // else it is too small for a jump
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Looks for a kink: where second differences fall no faster than the distance of their points. Three windows of half the width,
-   one of them in the middle, hold it well inside. As above. [out] cut - its root tells how often differences fall as those of
-   one do: in TRIALS - 1 steps to a quarter, a kink's to an eighth at most */
+/* Looks for a kink: there second differences decrease no faster than the distance of their points. It is well
+   inside of one of three windows of half the width, one of them in the middle. Arguments as above.
+   [out] cut - its root is set if differences decrease as at a square root. In TRIALS - 1 steps those decrease
+   to a quarter, those of a kink to an eighth at most */
 static PetscErrorCode CubatureFindKink_Private(const Line *line, const Interval *piece,
                                                PetscReal v[][CUBATURE_MAX_SIZE], Interval *cut, PetscBool *found)
 {
@@ -288,7 +295,7 @@ static PetscErrorCode CubatureFindKink_Private(const Line *line, const Interval 
         where = j;
       }
     }
-    /* a kink leaves half of it with every step, what is smooth a quarter */
+    /* each step leaves half of the difference of a kink, a quarter of a smooth one */
     if (step == TRIALS && bend < 0.3 * first / (1 << TRIALS)) PetscFunctionReturn(PETSC_SUCCESS);
     if (!step) first = bend;
     *cut = (Interval){cut->a + 0.25 * (where - 1) * (cut->b - cut->a), cut->a + 0.25 * (where + 1) * (cut->b - cut->a),
@@ -307,9 +314,10 @@ static PetscErrorCode CubatureFindKink_Private(const Line *line, const Interval 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where a piece is to be cut that two rules do not agree on: beside a jump or kink, or in its middle. What looks like a kink at
-   its end may be a root, and a jump that is there again something steeper than that.
-   [in,out] intervals - its parts are appended; [in,out] num - of intervals; [in,out] found - jumps and kinks of the line */
+/* Cuts a piece on which two rules differ: beside a jump or kink, or in its middle. An apparent kink at its
+   end may be a square root; a jump found again at an end is a steeper singularity.
+   [in,out] intervals - its parts are appended;
+   [in,out] num - of intervals; [in,out] found - jumps and kinks of the line */
 static PetscErrorCode CubatureCutPiece_Private(const Line *line, const Interval *piece,
                                                PetscReal v[][CUBATURE_MAX_SIZE], Interval intervals[], PetscInt *num,
                                                Hints *found)
@@ -340,8 +348,8 @@ static PetscErrorCode CubatureCutPiece_Private(const Line *line, const Interval 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Keeps the middles between what a line has found, for the lines that follow: what is narrow there may have no point of a rule in
-   it. */
+/* Stores the middles between the jumps and kinks of a line as hints for the next lines: a narrow part may
+   contain no point of a rule. */
 static void CubatureKeepHints_Private(Hints *found, Hints *hints)
 {
   PetscReal before = 0.;
@@ -357,7 +365,8 @@ static void CubatureKeepHints_Private(Hints *found, Hints *hints)
   }
 }
 
-/* Whether the values at a hint inside a piece are not those of the polynomial through all its points. Then it is cut there.
+/* Whether the values at a hint inside a piece are not those of the polynomial through all its points. Then it
+   is cut there.
    [in] v - at the points of the piece */
 static PetscErrorCode CubatureCheckHints_Private(const Line *line, const Interval *piece,
                                                  PetscReal v[][CUBATURE_MAX_SIZE], Interval *cut, PetscBool *differs)
@@ -436,7 +445,7 @@ static PetscErrorCode CubatureIntegrateLine_Private(const Line *line, PetscReal 
     }
     *error += ds * inner + (difference > PIECE ? difference : 0.);
     for (PetscInt j = 0; j < POINTS; j++) w[j] *= ds * (j % 2 ? 5. : 4.) / 9.;
-    if (piece.a <= inset) w[0] += inset; // what is left out is like what is beside it
+    if (piece.a <= inset) w[0] += inset; // the inset is extrapolated by its neighbour
     if (piece.b >= upper) w[POINTS - 1] += inset;
     for (PetscInt j = 0; j < POINTS; j++) {
       for (PetscInt i = 0; i < size; i++) value[i] += w[j] * v[j][i];

@@ -4,8 +4,8 @@
      [1] G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed. (2013), sections 4.2 and 8.5. */
 #include "kernel/dense.h"
 
-/* A pivot below this share of its diagonal entry is roundoff. The share is invariant under scaling of rows and columns
-   together, so that a facet covered by a sliver at one end, badly scaled but regular, passes. */
+/* A pivot below this share of its diagonal entry is roundoff. The share is invariant under common scaling of
+   rows and columns. So a facet covered by a sliver at one end, badly scaled but regular, passes. */
 static const PetscReal PIVOT_SHARE = 64. * PETSC_MACHINE_EPSILON;
 
 /* Jacobi converges quadratically: matrices of this size need 5 to 7 sweeps, more than this means NaN. */
@@ -39,7 +39,8 @@ void DenseCholeskySolve(PetscInt n, const PetscReal L[], PetscReal b[])
   }
 }
 
-/* A <- J'AJ and V <- V J with the rotation J in the plane (p,q) that makes A_pq zero [1, alg. 8.5.1]. V may be NULL. */
+/* A <- J'AJ and V <- V J with the rotation J in the plane (p,q) that makes A_pq zero [1, alg. 8.5.1]. V may
+   be NULL. */
 static void DenseJacobiRotate_Private(PetscInt n, PetscReal A[], PetscInt p, PetscInt q, PetscReal V[])
 {
   const PetscReal tau = (A[q * n + q] - A[p * n + p]) / (2. * A[p * n + q]);
@@ -79,7 +80,7 @@ void DenseEigen(PetscInt n, PetscReal A[], PetscReal values[], PetscReal V[])
     turned = PETSC_FALSE;
     for (PetscInt p = 0; p < n; p++) {
       for (PetscInt q = p + 1; q < n; q++) {
-        if (PetscAbsReal(A[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue; /* moves no eigenvalue by more */
+        if (PetscAbsReal(A[p * n + q]) <= PETSC_MACHINE_EPSILON * scale) continue; /* changes no eigenvalue by more */
         DenseJacobiRotate_Private(n, A, p, q, V);
         turned = PETSC_TRUE;
       }

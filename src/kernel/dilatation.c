@@ -1,18 +1,21 @@
 /* dilatation.c -- the change of volume in cells of nearly incompressible bodies.
 
-   Q1 with the mean is the B-bar method [1]; Q2 with linear functions and P2 with the mean are the classical pairs of [2].
-   The linear functions are those of x, not of the reference cell: on cells that are no parallelograms only these keep the order
-   [3]. Tetrahedra have no such space: the mean is too much for four faces with nodes on their edges alone.
+   Q1 with the mean is the B-bar method [1]; Q2 with linear functions and P2 with the mean are the classical
+   pairs of [2]. The linear functions are those of x, not of the reference cell: on cells that are no
+   parallelograms only these keep the order
+   [3]. Tetrahedra have no such space: even the mean is unstable, since faces have nodes on their edges alone.
 
    References:
-     [1] T. J. R. Hughes, Generalization of selective integration procedures to anisotropic and nonlinear media (1980).
-     [2] D. Boffi, F. Brezzi, M. Fortin, Mixed Finite Element Methods and Applications (2013), sections 8.4 and 8.6.
+     [1] T. J. R. Hughes, Generalization of selective integration procedures to anisotropic and nonlinear
+     media (1980).
+     [2] D. Boffi, F. Brezzi, M. Fortin, Mixed Finite Element Methods and Applications (2013), sections 8.4
+     and 8.6.
      [3] D. Boffi, L. Gastaldi, On the quadrilateral Q2-P1 element for the Stokes problem (2002). */
 #include <math.h>
 #include "kernel/dense.h"
 #include "kernel/dilatation.h"
 
-/* Plain cells of order 1 lose a tenth of their accuracy at the first, those of order 2 at the second. */
+/* Poisson's ratios at which plain cells lose a tenth of their accuracy: of order 1, of order 2. */
 static const PetscReal THRESHOLD[] = {0.45, 0.49};
 
 PetscReal DilatationThreshold(ElementType type)

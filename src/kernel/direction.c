@@ -1,17 +1,17 @@
 /* direction.c -- the direction of contact between two curved surfaces.
 
-   Near the place where two surfaces touch, n_s = n + S_s t and n_m = -n + S_m t at points with the distance t from the common
-   normal n. So n_s + n_m = (S_s + S_m) t lies in the plane across n_s - n_m, and n = n_s - S_s t. Nothing changes but a sign
-   when the two change roles. */
+   Two surfaces touch with the common normal n. At the distance t from there, n_s = n + S_s t and n_m = -n +
+   S_m t. So n_s + n_m = (S_s + S_m) t lies in the plane across n_s - n_m, and n = n_s - S_s t. Nothing
+   changes but a sign when the two change roles. */
 #include "kernel/direction.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 
-/* Curvatures below this share of the largest one are none; a relative curvature below it: one surface lies in the other, and t
-   cannot be known. */
+/* Curvatures below this share of the largest one count as zero. With a relative curvature below it one
+   surface fits the other, and t is undetermined. */
 static const PetscReal NONE = 1e-8;
-/* From this ratio of relative curvatures on, t is known well enough in both directions for one to act on the other: an error of a normal
-   is then multiplied by ten at most. */
+/* Least ratio of the two relative curvatures at which one direction may act on the other: t is then accurate
+   in both, and errors of normals are amplified tenfold at most. */
 static const PetscReal COUPLED = 0.01;
 
 /* Shares of the two directions. */
@@ -84,14 +84,15 @@ static PetscReal DirectionComponent_Private(const Relative *r, const PetscReal S
   return sum;
 }
 
-/* The nonmortar body's share in the direction d_i; inside says whether it needed no clipping. [in] size - of curvatures */
+/* The nonmortar body's share in the direction d_i; inside says whether it needed no clipping.
+   [in] size - of curvatures */
 static PetscReal DirectionWeight_Private(const Relative *r, PetscInt i, PetscReal size, PetscBool *inside)
 {
   const PetscReal own = DirectionComponent_Private(r, r->s, i, i), other = r->k[i] - own;
 
   *inside = PETSC_FALSE;
-  if (PetscAbsReal(own) <= NONE * size) return 0;       // flat: it decides alone
-  if (PetscAbsReal(r->k[i]) <= NONE * size) return 0.5; // one fits into the other: rounding must not choose
+  if (PetscAbsReal(own) <= NONE * size) return 0;       // flat: its own normal
+  if (PetscAbsReal(r->k[i]) <= NONE * size) return 0.5; // one fits the other: roundoff must not decide
   if (r->k[i] < 0) return PetscAbsReal(own) <= PetscAbsReal(other) ? 0 : 1;
   *inside = (PetscBool)(own >= 0 && other >= 0);
   return PetscMax(0, PetscMin(1, own / r->k[i]));

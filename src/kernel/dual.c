@@ -1,25 +1,25 @@
 /* dual.c -- the dual basis (eq. 3.4) of one facet from the quadrature points that cover it.
 
-   Where only a small part of a facet is covered its shape functions are nearly dependent there: M_e has a condition of
-   the order of e^-4 for quadratic ones on the share e. But psi_i / D_i is the function that gives a polynomial's value
-   at the node i when multiplied with it and integrated over the covered part, and this may be written in any basis of the
-   polynomials. In that of the covered part itself,
-       psi_i = D_i sum_jk L_j(node i) (int_cov L L^T)^-1_jk L_k,
-   nothing is lost: L_j(node i) is a value outside of the box, large but exact.
+   Where only a small part of a facet is covered its shape functions are nearly dependent there. For quadratic
+   ones on the share e the condition number of M_e is of the order of e^-4. But psi_i / D_i is defined by one
+   property: its product with a polynomial, integrated over the covered part, is the value at the node i. This
+   holds in any basis of the polynomials. In the basis L of the covered part, psi_i = D_i sum_jk L_j(node i)
+   (int_cov L L^T)^-1_jk L_k, no digits are lost: L_j(node i) is a value outside of the box, large but exact.
 
-   On tri6 int phi is zero at vertices, so that psi would be, too. There the values in the middles of edges are told by
-   u~_e with u_e = (1 - 2 a) u~_e + a (u~_v + u~_w) at the ends v and w [3]. The functions phi~ that belong to u~ are the same
-   polynomials, and everything above holds for them with the functional that gives u~_i instead of the value at the node i.
+   On tri6 int phi is zero at vertices, and so would be psi. There the unknowns of edges are u~_e with u_e =
+   (1 - 2 a) u~_e + a (u~_v + u~_w) at the ends v and w [3]. The functions phi~ of u~ span the same
+   polynomials. All of the above holds for them, with u~_i in place of the value at the node i.
 
    References:
      [1] B. Wohlmuth, A mortar finite element method using dual spaces for the Lagrange multiplier (2000).
      [2] T. Cichosz, M. Bischoff, Consistent treatment of boundaries with mortar contact formulations (2011).
-     [3] A. Popp, B. Wohlmuth, M. W. Gee, W. A. Wall, Dual quadratic mortar finite element methods for 3D finite
+     [3] A. Popp, B. Wohlmuth, M. W. Gee, W. A. Wall, Dual quadratic mortar finite element methods for 3D
+     finite
          deformation contact, SIAM J. Sci. Comput. 34 (2012). */
 #include "kernel/dense.h"
 #include "kernel/dual.h"
 
-/* Any share between 0 and 1/2 makes the integrals positive; this one leaves them of like size. */
+/* Any share between 0 and 1/2 makes the integrals positive; with this one they are of similar size. */
 static const PetscReal TRI6_SHARE = 1. / 5.;
 
 PetscReal DualShare(ElementType type)

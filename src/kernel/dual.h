@@ -1,12 +1,12 @@
 /* dual.h -- dual basis of one facet or of its covered part.
 
-   psi = A phi with A = D_e M_e^-1, M_e = int_cov phi phi^T, D_e = diag(int_cov phi), so that
-   int_cov psi_i phi_j = delta_ij int_cov phi_j and sum_i psi_i = 1 (eq. 3.4; Wohlmuth 2000, Cichosz & Bischoff 2011 for cut
-   facets). The integrals come from the very points that later integrate M and the gap.
+   psi = A phi with A = D_e M_e^-1, M_e = int_cov phi phi^T, D_e = diag(int_cov phi) (eq. 3.4; Wohlmuth 2000,
+   Cichosz & Bischoff 2011 for cut facets). So int_cov psi_i phi_j = delta_ij int_cov phi_j and sum_i psi_i =
+   1. The integrals have the same points as M and the gap.
 
-   On tri6, where int phi vanishes at vertices, phi stands for the functions phi~ of DualShape() (Popp et al. 2012): they
-   belong to the unknowns u~ with u_e = (1 - 2 a) u~_e + a (u~_v + u~_w) in the middle e of the edge from v to w, and
-   u_v = u~_v, where a is DualShare(). Edge by edge, hence continuous. */
+   On tri6 int phi vanishes at vertices, and phi stands for the functions phi~ of DualShape() (Popp et al.
+   2012). Their unknowns are u~ with u_v = u~_v, and u_e = (1 - 2 a) u~_e + a (u~_v + u~_w) in the middle e of
+   the edge from v to w, a = DualShare(). This is done edge by edge, hence continuous. */
 #ifndef MORTISE_DUAL_H
 #define MORTISE_DUAL_H
 
@@ -14,8 +14,9 @@
 
 enum { DUAL_MAX = ELEMENT_MAX_FACET_NODES };
 
-/* Plain data. psi = C L, where L_j(xi) = phi_j((xi - lower) / size) are the shape functions of the box around the covered
-   part: the same polynomials as those of the facet, but well conditioned however small that part is. */
+/* Plain data. psi = C L, where L_j(xi) = phi_j((xi - lower) / size) are the shape functions of the box around
+   the covered part. They span the polynomials of the facet, and are well conditioned however small that part
+   is. */
 typedef struct {
   ElementType type;
   PetscReal   lower[2], size[2];      /* box [ElementDim] */
@@ -28,8 +29,9 @@ PetscReal DualShare(ElementType type);
 /* phi~ from phi: a facet's shape functions at a point, or any sums of them. [in,out] phi - [n] */
 void DualShape(ElementType type, PetscReal phi[]);
 
-/* From weighted points on the facet's reference cell. Returns PETSC_FALSE where they cannot tell the shape functions
-   apart; D is set all the same. [in] xi - [num_points][2], unused coordinates ignored; [in] w - [num_points] */
+/* Creates the basis from weighted points on the facet's reference cell. Returns PETSC_FALSE where shape
+   functions are dependent at these points; D is set all the same. Not collective.
+   [in] xi - [num_points][2], unused coordinates ignored; [in] w - [num_points] */
 PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal xi[], const PetscReal w[],
                           DualBasis *basis);
 

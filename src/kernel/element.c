@@ -1,4 +1,5 @@
-/* element.c -- what the table of reference cells holds, and the geometry of cells by loops that are the same for every row.
+/* element.c -- access to the table of reference cells, and the geometry of cells by loops that are the same
+   for every row.
 
    Reference:
      [1] T. J. R. Hughes, The Finite Element Method (1987), chapter 3. */
@@ -116,8 +117,8 @@ static inline PetscReal ElementJacobian_Private(PetscInt dim, PetscInt num_nodes
   return det;
 }
 
-/* ElementMap() with the shape functions and their derivatives on the reference cell. It takes most of the time of an
-   assembly: to be inlined where dim is known, so that its short loops are unrolled. */
+/* ElementMap() with the shape functions and their derivatives on the reference cell. It takes most of the
+   time of an assembly: to be inlined where dim is known, so that its short loops are unrolled. */
 static inline PetscReal ElementMap_Private(PetscInt dim, PetscInt num_nodes, const PetscReal X[], const PetscReal phi[],
                                            const PetscReal dphi[], PetscReal x[], PetscReal grad[])
 {
@@ -242,16 +243,16 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
   return measure;
 }
 
-/* Upper bound on sum_i |d phi_i / d xi_l| in the cell. Of functions that are linear on simplices it is attained at a vertex; those of boxes are
-   products of 8, of a line, and 5/4 in each other direction. */
+/* Upper bound on sum_i |d phi_i / d xi_l| in the cell. Of functions that are linear on simplices it is
+   attained at a vertex; those of boxes are products of 8, of a line, and 5/4 in each other direction. */
 static PetscReal ElementSteepness_Private(const Reference *cell)
 {
   if (cell->order == 1) return 2.;
   return cell->simplex ? 10. : 8. * PetscPowRealInt(1.25, (int)cell->dim - 1);
 }
 
-/* With the affine cell of the same vertices next to the first one, axes a_l and nodes off by at most e, the columns of J differ from a_l
-   by e times the steepness. */
+/* Compares with the affine cell of the first vertex and its neighbours, with axes a_l. If nodes differ by at
+   most e, columns of J differ from a_l by at most e times the steepness. */
 PetscReal ElementBoundJacobian(ElementType type, const PetscReal X[])
 {
   const Reference *cell             = &REFERENCE[type];
@@ -289,10 +290,10 @@ PetscReal ElementBoundJacobian(ElementType type, const PetscReal X[])
   return det - (product - lengths);
 }
 
-/* det J of tri3 and tet4 is constant and that of quad4 is linear in xi, so the nodes show its extremes: positive at every
-   corner means that a quad is convex and runs anticlockwise. In hex8 and cells of second order det J may be smallest
-   anywhere; there a lattice that holds the nodes is looked at, sides included, since they are where bent cells tangle
-   first. */
+/* det J of tri3 and tet4 is constant and that of quad4 is linear in xi: its extremes are at nodes. If it is
+   positive at every corner, a quad is convex and runs anticlockwise. In hex8 and cells of second order the
+   minimum may be anywhere. There it is taken on a lattice that contains the nodes, sides included: curved
+   cells become singular there first. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[])
 {
   const Reference *cell      = &REFERENCE[type];
@@ -350,8 +351,9 @@ static PetscBool ElementIsInside_Private(const Reference *cell, const PetscReal 
   return !cell->simplex || sum <= 1. + tolerance ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Newton's method for x(xi) = x from a start, which xi holds. Whether it converged: after a step of ELEMENT_NEWTON_STEP only
-   roundoff is left, which in needles of 1 : 1000 is more than the last digits: a smaller bound might never be met. */
+/* Newton's method for x(xi) = x from the start xi. Returns whether it converged. After a step of
+   ELEMENT_NEWTON_STEP only roundoff is left. In needles of 1 : 1000 this is more than the last digits, so
+   that a smaller bound may be out of reach. */
 static PetscBool ElementNewton_Private(const Reference *cell, const PetscReal X[], const PetscReal x[], PetscReal xi[])
 {
   const PetscInt dim  = cell->dim;
@@ -378,9 +380,9 @@ static PetscBool ElementNewton_Private(const Reference *cell, const PetscReal X[
   return step <= ELEMENT_NEWTON_STEP ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Newton takes one step in a simplex; from the middle of a convex quad it finds every point inside, and where it fails
-   outside, not found is the right answer. In a cell with curved sides, hex8 among them, it may leave for a root outside:
-   the search is repeated from every node, one of which is near enough. */
+/* Newton takes one step in a simplex. From the middle of a convex quad it finds every point inside; failure
+   for a point outside is the right answer. In a cell with curved sides, hex8 among them, it may converge to a
+   root outside. Then the search is repeated from every node, one of which is near enough. */
 PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance, PetscReal xi[])
 {
   const Reference *cell       = &REFERENCE[type];

@@ -1,11 +1,12 @@
 /* element.h -- shape functions, quadrature and cell stiffness.
 
-   Plain tables and loops: no MPI, no objects, nothing allocated. Reference cells are PETSc's order of vertices:
-   line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2; tet4 the corner of the unit cube; hex8
-   the quad4 below (z = 0), then above (z = 1). 2D cells run anticlockwise; so do the facets of 3D cells seen from outside.
-   Cells of second order have, behind their vertices, a node in the middle of each edge, in the order of the edges; hex27
-   then has one in the middle of each facet; and line3, quad9 and hex27 have one in their own middle, which a line shares
-   with its edge. Sides may be curved: the geometry is isoparametric. */
+   Plain tables and loops: no MPI, no objects, nothing allocated. Reference cells are PETSc's order of
+   vertices: line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2; tet4 the corner
+   of the unit cube; hex8 the quad4 below (z = 0), then above (z = 1). 2D cells run anticlockwise; so do the
+   facets of 3D cells seen from outside. Cells of second order have, behind their vertices, a node in the
+   middle of each edge, in the order of the edges; hex27 then has one in the middle of each facet; and line3,
+   quad9 and hex27 have one in their own middle, which a line shares with its edge. Sides may be curved: the
+   geometry is isoparametric. */
 #ifndef MORTISE_ELEMENT_H
 #define MORTISE_ELEMENT_H
 
@@ -36,19 +37,20 @@ PetscInt    ElementDim(ElementType type);
 PetscInt    ElementNumNodes(ElementType type);
 PetscInt    ElementNumFacets(ElementType type);
 ElementType ElementFacetType(ElementType type);
-/* Polynomial order, 1 or 2; the cell of order 1 with the same vertices (whose number is ElementNumNodes() of it); and the
-   other way round. Not collective. */
+/* Polynomial order, 1 or 2; the cell of order 1 with the same vertices (whose number is ElementNumNodes() of
+   it); and the other way round. Not collective. */
 PetscInt    ElementOrder(ElementType type);
 ElementType ElementLinear(ElementType type);
 ElementType ElementOfOrder(ElementType linear, PetscInt order);
 /* Reference coordinates of a node, [ElementDim]; borrowed. */
 const PetscReal *ElementNode(ElementType type, PetscInt node);
-/* The cell's local node numbers of one facet in the order of its type, with the normal of ElementSurface() outward: in 2D
-   (dy, -dx) along the facet. */
+/* Local node numbers of one facet in the order of its type: the normal of ElementSurface() is outward, in 2D
+   (dy, -dx) along the facet. Not collective. Borrowed. */
 const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
 
-/* Edges: the facets of a plane cell, a line's only one. The cell's local numbers of an edge's two vertices; the node in
-   its middle, in cells of second order, is the edge's number behind the vertices. Not collective. */
+/* Edges: the facets of a plane cell, a line's only one. The cell's local numbers of an edge's two vertices;
+   the node in its middle, in cells of second order, is the edge's number behind the vertices.
+   Not collective. */
 PetscInt        ElementNumEdges(ElementType type);
 const PetscInt *ElementEdgeNodes(ElementType type, PetscInt edge);
 
@@ -64,19 +66,23 @@ PetscInt QuadratureRule(ElementType type, PetscInt degree, PetscReal points[], P
 /* n Gauss-Legendre points on [0,1], n = 1..8, 12 or 16: exact to degree 2n-1. Returns n. */
 PetscInt QuadratureLine(PetscInt n, PetscReal points[], PetscReal weights[]);
 
-/* Geometry at xi of a cell with nodes at X: x and the gradients d phi_i / d x_k (either may be NULL); returns det J.
+/* Geometry at xi of a cell with nodes at X: x and the gradients d phi_i / d x_k (either may be NULL); returns
+   det J.
    [in] X - [num_nodes][dim], dim = ElementDim; [out] x - [dim]; [out] phi - [num_nodes];
    [out] grad - [num_nodes][dim] */
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                      PetscReal grad[]);
 
-/* The same for a facet in space of ElementDim + 1 dimensions: x, the shape functions, the unit normal (outward where the
-   facet's nodes are ordered as ElementFacetNodes() says); returns |dx/dxi|, the ratio of measures.
-   [in] X - [num_nodes][dim]; [out] x - [dim], may be NULL; [out] phi - [num_nodes]; [out] normal - [dim], may be NULL */
+/* The same for a facet in ElementDim + 1 dimensions: x, the shape functions, the unit normal, which is
+   outward with nodes in the order of ElementFacetNodes(). Returns |dx/dxi|, the ratio of measures.
+   Not collective.
+   [in] X - [num_nodes][dim];
+   [out] x - [dim], may be NULL; [out] phi - [num_nodes]; [out] normal - [dim], may be NULL */
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                          PetscReal normal[]);
 
-/* A part of a reference cell, an affine picture of it: xi = origin + sum_k xi'_k axes_k with xi' in the reference cell. */
+/* A part of a reference cell, an affine image of it: xi = origin + sum_k xi'_k axes_k with xi' in the
+   reference cell. */
 typedef struct {
   PetscReal origin[3], axes[3][3];
   PetscReal size;    /* of the whole cell: 1, 1/2, 1/4, ... */
@@ -89,12 +95,12 @@ enum { ELEMENT_MAX_PIECES = 8 };
 CellPiece CellPieceWhole(void);
 /* xi of a point xi' of the piece, [ElementDim] each. */
 void CellPiecePoint(ElementType type, const CellPiece *piece, const PetscReal inside[], PetscReal xi[]);
-/* Cuts a piece of a 2D or 3D cell through the middles of its edges into parts of equal measure; returns their number.
-   Triangles and boxes fall into parts like themselves; of a tetrahedron its corners are cut off, and what is left is cut
-   along a diagonal. [out] parts - [ELEMENT_MAX_PIECES] */
+/* Cuts a piece of a 2D or 3D cell through the middles of its edges into parts of equal measure; returns their
+   number. Triangles and boxes fall into parts like themselves; of a tetrahedron its corners are cut off, and
+   what is left is cut along a diagonal. [out] parts - [ELEMENT_MAX_PIECES] */
 PetscInt CellPieceCut(ElementType type, const CellPiece *piece, CellPiece parts[]);
 
-/* A rule on the reference cell with the shape functions at its points: what does not change from cell to cell. */
+/* A rule on the reference cell with the shape functions at its points, the same for all cells. */
 typedef struct {
   ElementType type;
   PetscInt    num;                                              /* points */
@@ -108,31 +114,33 @@ void ElementRuleSet(ElementType type, PetscInt degree, ElementRule *rule);
 /* ElementMap() at point q; x and grad may be NULL. */
 PetscReal ElementRuleMap(const ElementRule *rule, PetscInt q, const PetscReal X[], PetscReal x[], PetscReal grad[]);
 
-/* Gradient of a displacement at point q, H[k][l] = d v_k / d x_l; returns det J. Cheaper than the gradients of all shape functions.
+/* Gradient of a displacement at point q, H[k][l] = d v_k / d x_l; returns det J. Cheaper than the gradients
+   of all shape functions.
    [in] v - at the nodes [num_nodes][dim]; [out] x - [dim], may be NULL; [out] H - [dim][dim] */
 PetscReal ElementRuleGradient(const ElementRule *rule, PetscInt q, const PetscReal X[], const PetscReal v[],
                               PetscReal x[], PetscReal H[]);
 
-/* A lower bound on det J in the cell: near it where the cell is nearly affine, far below, even negative, where it is not. */
+/* A lower bound on det J in the cell: near it where the cell is nearly affine, far below, even negative,
+   where it is not. */
 PetscReal ElementBoundJacobian(ElementType type, const PetscReal X[]);
-/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In hex8 and cells of second order it is the smallest
-   on a lattice that holds the nodes. */
+/* Smallest det J in the cell: <= 0 for a degenerate or tangled one. In hex8 and cells of second order it is
+   the smallest on a lattice that holds the nodes. */
 PetscReal ElementMinJacobian(ElementType type, const PetscReal X[]);
 
-/* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the cell).
-   xi is of no use outside. [in] X - [num_nodes][dim]; [in] x - [dim]; [out] xi - [dim] */
+/* Finds xi with x(xi) = x by Newton; returns whether x lies in the cell to within tolerance (relative to the
+   cell). xi is of no use outside. [in] X - [num_nodes][dim]; [in] x - [dim]; [out] xi - [dim] */
 PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x[], PetscReal tolerance,
                         PetscReal xi[]);
 
-/* Strain-displacement matrix at a point, engineering shear, rows (xx,yy,xy) in 2D, (xx,yy,zz,yz,xz,xy) in 3D. Axisymmetric
-   cells have (xx,yy,zz,xy), zz = sum_i phi_i / r u_i,x around the axis.
+/* Strain-displacement matrix at a point, engineering shear, rows (xx,yy,xy) in 2D, (xx,yy,zz,yz,xz,xy) in 3D.
+   Axisymmetric cells have (xx,yy,zz,xy), zz = sum_i phi_i / r u_i,x around the axis.
    [in] grad - [num_nodes][dim]; [in] hoop - phi_i / r [num_nodes], NULL unless axisymmetric;
    [out] B - [num_strains][num_nodes*dim] */
 void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], const PetscReal hoop[],
                          PetscReal B[]);
 
-/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 points in each direction for
-   quad4 and hex8, 3 for quad9 and hex27; 1 for tri3 and tet4, 6 for tri6, 8 for tet10. */
+/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 points in each
+   direction for quad4 and hex8, 3 for quad9 and hex27; 1 for tri3 and tet4, 6 for tri6, 8 for tet10. */
 PetscInt ElementStiffnessDegree(ElementType type);
 
 #endif

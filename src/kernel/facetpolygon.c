@@ -1,15 +1,15 @@
 /* facetpolygon.c -- facets in space as polygons in the plane of one of them.
 
-   Triangles and quads are polygons as they are; facets of second order and quads that are not convex are taken in parts,
-   unless the nodes in the middle are where straight edges have them. */
+   Triangles and quads are polygons. Quads that are not convex are taken in parts. So are facets of second
+   order, unless their middle nodes are those of straight edges. */
 #include "kernel/frame.h"
 #include "kernel/facetpolygon.h"
 #include "kernel/polygon.h"
 
 /* A node that is off by less than this share is where a straight facet has it. */
 static const PetscReal STRAIGHT_POLYGON = 1e-12;
-/* A quad whose angles are closer to straight than this is not one for Newton's method: the smallest of the triangles at its
-   corners as a share of the mean one. */
+/* Least area of the triangles at the corners of a quad, as a share of the mean one: below it an angle is
+   nearly straight, and Newton's method may fail. */
 static const PetscReal CONVEX_SHARE = 1e-2;
 
 void FacetPolygonProjectPoints(const FacetPlane *plane, PetscInt n, const PetscReal X[], PetscReal P[])
@@ -90,7 +90,8 @@ static void FacetPolygonAddPart_Private(PetscInt num, const PetscInt nodes[], Pe
   shadow->num_parts++;
 }
 
-/* Appends a quad, or two triangles that meet at its flattest corner, where it is not convex. [in] nodes - [4] */
+/* Appends a quad, or two triangles that meet at its flattest corner, where it is not convex.
+   [in] nodes - [4] */
 static void FacetPolygonAddQuad_Private(const PetscInt nodes[], PetscReal size, FacetPolygon *shadow)
 {
   PetscReal corner[4], sum = 0., sense;
@@ -121,8 +122,8 @@ static void FacetPolygonAddQuad_Private(const PetscInt nodes[], PetscReal size, 
   }
 }
 
-/* Whether the middle nodes are where a facet of first order with the same vertices has these places: then it has the same
-   map from the reference cell into the plane, however the facet bulges out of the plane. */
+/* Whether the middle nodes are, in the plane, those of the facet of first order with the same vertices. Then
+   both have the same map from the reference cell into the plane, however the facet bulges out of it. */
 static PetscBool FacetPolygonIsStraight_Private(const FacetPolygon *shadow, PetscReal size)
 {
   const ElementType type = shadow->facet->type, linear = ElementLinear(type);

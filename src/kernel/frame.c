@@ -1,17 +1,18 @@
 /* frame.c -- nodal normals from the facets around a node, and a frame for each normal.
 
-   Normals are an input of the method, not a detail: an error in them is an error in the gap of a curved surface. The
-   weights used here are exact where a surface is a circle or a sphere; means weighted by angle or area are not. Facets of second order
-   are taken as the straight ones between their nodes: the slopes of parabolas would err by h^3 on a circle.
+   An error of the normals is an error of the gap of a curved surface. The weights used here are exact where a
+   surface is a circle or a sphere; means weighted by angle or area are not. Facets of second order are taken
+   as the straight ones between their nodes: the slopes of parabolas would err by h^3 on a circle.
 
    References:
      [1] N. Max, Weights for computing vertex normals from facet normals, J. Graphics Tools 4 (1999).
-     [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6 (2017). */
+     [2] T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 6
+     (2017). */
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 
-/* Both ends get nu / h of their chord: a chord of a circle is tilted from the tangent at its end in proportion to its length, so that
-   these weights cancel the tilts of two chords for any spacing (eq. 4.1). */
+/* Both ends get nu / h of their chord. The angle between a chord of a circle and the tangent at its end is
+   proportional to its length. So these weights cancel the angles of two chords for any spacing (eq. 4.1). */
 static void FrameAddChord_Private(PetscInt from, PetscInt to, const PetscReal X[], PetscReal N[])
 {
   const PetscReal dx = X[2 * to] - X[2 * from], dy = X[2 * to + 1] - X[2 * from + 1], square = dx * dx + dy * dy;
@@ -23,8 +24,8 @@ static void FrameAddChord_Private(PetscInt from, PetscInt to, const PetscReal X[
   }
 }
 
-/* Each corner gets e1 x e2 / (|e1|^2 |e2|^2) with e1 and e2 the polygon's edges to the next and the previous corner: the sum is exact
-   where all the corners lie on a sphere [1]. [in] corners - nodes, anticlockwise [num] */
+/* Each corner gets e1 x e2 / (|e1|^2 |e2|^2), e1 and e2 being the edges to the next and the previous corner.
+   The sum is exact where all corners lie on a sphere [1]. [in] corners - nodes, anticlockwise [num] */
 static void FrameAddPolygon_Private(PetscInt num, const PetscInt corners[], const PetscReal X[], PetscReal N[])
 {
   for (PetscInt i = 0; i < num; i++) {

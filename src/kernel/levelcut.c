@@ -1,13 +1,14 @@
 /* levelcut.c -- integrals of functions that jump or bend where known functions are zero.
 
-   A cell is a unit cube, or the part of one that a plane cuts off. In a box of it a coordinate is looked for along which all of these
-   functions rise, fall or stay. Lines along it are cut at the zeros and have Gauss rules between them. What they give is a smooth function
-   of the other coordinates between the zeros of functions of these, and so on. A box without such a coordinate, or on which rules
-   with more points do not agree, is halved. Towards a zero, on the line or shortly beyond it, the integrand may be a root: it goes away
-   with points at squares of the distance.
+   A cell is a unit cube, or the part of one that a plane cuts off. In each box a coordinate is chosen along
+   which all of these functions are monotone or constant. Lines along it are cut at the zeros, with Gauss
+   rules between them. The result is a function of the other coordinates, smooth between the zeros of further
+   functions, and so on. A box without such a coordinate, or where rules with more points differ, is halved.
+   Near a zero, on the line or shortly beyond it, the integrand may behave as a square root. There points are
+   squares of a parameter, in which it is smooth.
 
-   The plane is one more function, which meets all others. Tetrahedra that curved surfaces cross are better parted into four hexahedra,
-   pictures of the unit cube, one at each vertex. */
+   The plane is one more function, which meets all others. Tetrahedra with curved surfaces are better parted
+   into four hexahedra, images of the unit cube, one at each vertex. */
 #include "base/compat.h"
 #include "kernel/levelsets.h"
 
@@ -19,13 +20,13 @@ enum {
   RULES          = 4
 };
 
-/* Points of Gauss rules that are compared: where something is cut, and where nothing is. */
+/* Numbers of points of the Gauss rules that are compared: with cuts, and without. */
 static const PetscInt CUT_POINTS[RULES] = {4, 8, 12, 16}, WHOLE_POINTS[RULES] = {4, 6, 8, 12};
-/* What all boxes together may be wrong by is shared by so many of them. */
+/* Part of the tolerance that is permitted for one box. */
 static const PetscReal BOX_SHARE = 1. / 8.;
-/* Rules that differ by more, compared with what they may, are not followed by another one. */
+/* Rules whose difference exceeds the tolerance by this factor are not followed by another one. */
 static const PetscReal HOPELESS = 1e8;
-/* Pieces of less length are not looked at. */
+/* Pieces of less length are omitted. */
 static const PetscReal SHORTEST = 1e-15;
 
 typedef struct {
@@ -53,7 +54,7 @@ static PetscBool LevelCutIsOutside_Private(const Cut *cut, const PetscReal u[])
   return (PetscBool)(cut->cell.simplex && sum >= 1.);
 }
 
-/* What is integrated over a box, at u: the integrand, or the integral along the line of the box around. */
+/* The integrand of a box, at u: that of the cubature, or the integral along the line of the box around. */
 static PetscErrorCode LevelCutEvaluate_Private(Cut *cut, const LevelSetBox *box, PetscReal u[], PetscReal value[])
 {
   Cubature *cubature = cut->cell.cubature;
@@ -68,9 +69,10 @@ static PetscErrorCode LevelCutEvaluate_Private(Cut *cut, const LevelSetBox *box,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The point at p in [0,1] of a piece, nearer to zeros at its ends or beyond them, from which roots go away; returns ds/dp.
+/* The point at p in [0,1] of a piece; returns ds/dp. Towards zeros, at the ends or beyond them, points are
+   squares, so that square roots become smooth.
    [in] zero - infinite where there is none [2] */
-static PetscReal PiecePoint_Private(const PetscReal ends[], const PetscReal zero[], PetscReal p, PetscReal *s)
+static PetscReal LevelCutPiecePoint_Private(const PetscReal ends[], const PetscReal zero[], PetscReal p, PetscReal *s)
 {
   const PetscReal length = ends[1] - ends[0];
   const PetscReal before = PetscMax(ends[0] - zero[0], 0.), after = PetscMax(zero[1] - ends[1], 0.);
@@ -118,7 +120,7 @@ static PetscErrorCode LevelCutLine_Private(Cut *cut, const LevelSetBox *box, Pet
     u[line] = 0.5 * (ends[j] + ends[j + 1]);
     if (ends[j + 1] - ends[j] <= SHORTEST || (!box->around && LevelCutIsOutside_Private(cut, u))) continue;
     for (PetscInt q = 0; q < cut->points; q++) {
-      const PetscReal weight = w[q] * PiecePoint_Private(&ends[j], zero, s[q], &u[line]);
+      const PetscReal weight = w[q] * LevelCutPiecePoint_Private(&ends[j], zero, s[q], &u[line]);
 
       PetscCall(LevelCutEvaluate_Private(cut, box, u, v));
       for (PetscInt i = 0; i < size; i++) value[i] += weight * v[i];
@@ -158,7 +160,8 @@ static void BoxHalve_Private(LevelSetBox *box, PetscInt axis, LevelSetBox *other
   other->lower[axis] = box->upper[axis];
 }
 
-/* Adds the integral over a box. [in] trend - of its functions, all of which may be zero in it; NULL where neither is known */
+/* Adds the integral over a box.
+   [in] trend - of its functions, all of which may be zero in it; NULL where neither is known */
 static PetscErrorCode LevelCutBox_Private(Cut *cut, const LevelSetBox *given, const LevelSetTrend *known,
                                           PetscInt depth, PetscReal value[])
 {
@@ -182,7 +185,7 @@ static PetscErrorCode LevelCutBox_Private(Cut *cut, const LevelSetBox *given, co
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   if (cut->cell.cubature->count > cut->cell.cubature->budget) cut->forced = PETSC_TRUE;
-  if (cut->forced || depth >= MAX_BASE_DEPTH) { // what this misses is in a small box
+  if (cut->forced || depth >= MAX_BASE_DEPTH) { // the error of this is in a small box
     trend.line = box.axis[0];
     LevelSetBoxProject(&box, &trend, &base, &fits);
     fits = PETSC_TRUE;
@@ -200,7 +203,7 @@ static PetscErrorCode LevelCutBox_Private(Cut *cut, const LevelSetBox *given, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What two rules differ by in units of the tolerance. */
+/* The difference of two rules in units of the tolerance. */
 static PetscReal LevelCutDifference_Private(const Cubature *cubature, const PetscReal a[], const PetscReal b[])
 {
   PetscReal most = 0.;
@@ -210,7 +213,8 @@ static PetscReal LevelCutDifference_Private(const Cubature *cubature, const Pets
   return most;
 }
 
-/* The integral over a box of the cell by rules with more and more points. [out] miss - what the last two differ by */
+/* The integral over a box of the cell by rules with more and more points.
+   [out] miss - difference of the last two */
 static PetscErrorCode LevelCutCompare_Private(Cut *cut, const LevelSetBox *box, const LevelSetTrend *trend,
                                               PetscReal value[], PetscReal *miss)
 {
@@ -230,7 +234,7 @@ static PetscErrorCode LevelCutCompare_Private(Cut *cut, const LevelSetBox *box, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The same with the rules for roots at zeros or those for none, the ones that sufficed last before the others. */
+/* The same with the rules for roots at zeros, or those without roots; first those that sufficed last. */
 static PetscErrorCode LevelCutTry_Private(Cut *cut, const LevelSetBox *box, const LevelSetTrend *trend,
                                           PetscReal value[], PetscReal *miss)
 {
@@ -249,7 +253,8 @@ static PetscErrorCode LevelCutTry_Private(Cut *cut, const LevelSetBox *box, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coordinate along which the integrand is least smooth: where two rules on a line through the middle of a box differ most. */
+/* The coordinate along which the integrand is least smooth: where two rules on a line through the middle of a
+   box differ most. */
 static PetscErrorCode LevelCutFindRough_Private(Cut *cut, const LevelSetBox *box, PetscInt *rough)
 {
   const PetscInt size = cut->cell.cubature->size;
@@ -346,7 +351,8 @@ static PetscErrorCode LevelCutCell_Private(Cubature *cubature, PetscReal value[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A hexahedron at a vertex of a tetrahedron: its corners are the centroids of the edges and faces there, of the vertex and of the cell. */
+/* A hexahedron at a vertex of a tetrahedron: its corners are the vertex, and the centroids of its edges, of
+   its faces and of the cell. */
 typedef struct {
   const Cubature *whole;
   PetscReal       corner[8 * LEVELSET_MAX_DIM];
@@ -437,13 +443,13 @@ PetscErrorCode CubatureSwitches(Cubature *cubature, PetscReal value[], PetscReal
   LevelSetCellInit(cubature, PETSC_FALSE, &cell, &box);
   if (cell.simplex && cell.dim == 3) PetscCall(LevelSetBoxTrend(&cell, &box, &trend));
   quarters =
-      (PetscBool)(!trend.planes && cubature->num_switches == 1); // where surfaces meet, planes are better left plane
+      (PetscBool)(!trend.planes && cubature->num_switches == 1); // where surfaces meet, planes are better kept plane
   if (quarters)
     PetscCall(LevelCutQuarters_Private(cubature, value, error));
   else
     PetscCall(LevelCutCell_Private(cubature, value, error));
   if (*error <= 1. || trend.planes) PetscFunctionReturn(PETSC_SUCCESS);
-  first           = cubature->count; // the other one has as much once more
+  first           = cubature->count; // the other method has the same budget
   cubature->count = 0;
   if (quarters)
     PetscCall(LevelCutCell_Private(cubature, other, &miss));

@@ -1,35 +1,38 @@
-/* levelsets.c -- zeros of functions along the lines of a box, and functions that are zero where these begin, end or meet.
+/* levelsets.c -- zeros of functions along the lines of a box, and functions that are zero where these begin,
+   end or meet.
 
-   Along a coordinate in which a function rises everywhere it has one zero on a line, or none. Where there is none changes at a zero of
-   the function at an end of the lines: a function of the other coordinates, and so on until there are none left [1]. Two functions
-   change their order where one is zero at the zero of the other.
+   Along a coordinate in which a function is monotone it has at most one zero on a line. Existence of the zero
+   changes where the function is zero at an end of the line. This is a function of the other coordinates, and
+   so on until there are none left [1]. The zeros of two functions change their order where one function is
+   zero at the zero of the other.
 
-   References: [1] R. I. Saye, High-order quadrature methods for implicitly defined surfaces and volumes in hyperrectangles, SIAM J.
-   Sci. Comput. 37 (2015); [2] T. R. Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear
-   function without using derivatives, Adv. Eng. Softw. 28 (1997). */
+   References: [1] R. I. Saye, High-order quadrature methods for implicitly defined surfaces and volumes in
+   hyperrectangles, SIAM J. Sci. Comput. 37 (2015); [2] T. R. Chandrupatla, A new hybrid quadratic/bisection
+   algorithm for finding the zero of a nonlinear function without using derivatives, Adv. Eng. Softw. 28
+   (1997). */
 #include "base/compat.h"
 #include "kernel/levelsets.h"
 #include "kernel/referencecell.h"
 
 enum {
-  SAMPLES        = 4, /* along each coordinate of a box, that tell how a function goes */
+  SAMPLES        = 4, /* along each coordinate of a box, to judge monotonicity */
   MAX_SAMPLES    = SAMPLES * SAMPLES * SAMPLES,
   LINE_SAMPLES   = 9, /* along the last coordinate */
   MAX_ZERO_STEPS = 80,
   MAX_DIP_STEPS  = 20
 };
 
-/* Zeros are known to so much. */
+/* Accuracy of zeros. */
 static const PetscReal ZERO_ACCURACY = 1e-15;
-/* Values and differences, compared with the largest ones, that are rounding. */
+/* Values and differences below this part of the largest ones are roundoff. */
 static const PetscReal ROUNDING = 1e-12;
-/* A function whose differences along a coordinate vary by more is not followed along it. */
+/* A function whose differences along a coordinate vary by more has no lines along it. */
 static const PetscReal VARIATION = 5.;
-/* Part of a line at both ends over which a function's slope is taken, and the least slope there compared with that of the line. */
+/* Part of a line at both ends for difference quotients, and their least size relative to the mean slope. */
 static const PetscReal END_STEP = 1e-4, LEAST_SLOPE = 0.05;
 /* Second differences of a plane, compared with its first ones. */
 static const PetscReal STRAIGHT = 1e-9;
-/* What the width of a box counts compared with how much gradients change along it. */
+/* Weight of the width of a box relative to the change of gradients along it. */
 static const PetscReal WIDTH = 0.25;
 /* A parabola through three values that stays above this part of the least of them has no zero there. */
 static const PetscReal DIP = 0.25;
@@ -76,7 +79,7 @@ static PetscErrorCode LevelSetCellEvaluate_Private(const LevelSetCell *cell, Pet
 static PetscErrorCode LevelSetFindZero_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                                PetscInt line, PetscReal u[]);
 
-/* Function i of a box at u, of which all coordinates are set that the box has not. */
+/* Function i of a box at u. [in] u - with all coordinates that the box does not have */
 static PetscErrorCode LevelSetEvaluate_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                                PetscReal u[], PetscReal *value)
 {
@@ -95,7 +98,8 @@ static PetscErrorCode LevelSetEvaluate_Private(const LevelSetCell *cell, const L
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The zero of function i between two points of a line, at which it has opposite signs [2]. [in] x, f - [2]; [out] u - [line] is set */
+/* The zero of function i between two points of a line, at which it has opposite signs [2].
+   [in] x, f - [2]; [out] u - [line] is set */
 static PetscErrorCode LevelSetBracketZero_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                                   PetscInt line, const PetscReal ends[][2], PetscReal u[])
 {
@@ -133,8 +137,8 @@ static PetscErrorCode LevelSetBracketZero_Private(const LevelSetCell *cell, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The zero of a function that rises or falls along a line; where it has none, the end beyond which it would be. A function that is
-   zero along a part of a line ends there. */
+/* The zero of a function that rises or falls along a line; where it has none, the end beyond which it would
+   be. A function that is zero along a part of a line ends there. */
 static PetscErrorCode LevelSetFindZero_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                                PetscInt line, PetscReal u[])
 {
@@ -153,13 +157,13 @@ static PetscErrorCode LevelSetFindZero_Private(const LevelSetCell *cell, const L
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How one function goes. */
+/* Monotonicity of one function in a box. */
 typedef struct {
   PetscBool zero; /* it may be zero in the box */
   PetscReal score
-      [LEVELSET_MAX_DIM]; /* how steadily it rises or falls along each coordinate; 0 where it does not, 1 where it stays */
+      [LEVELSET_MAX_DIM]; /* evenness of its slope along each coordinate; 0 where it is not monotone, 1 where it is constant */
   PetscBool stays[LEVELSET_MAX_DIM];
-  PetscReal bend[LEVELSET_MAX_DIM]; /* how much its gradient changes along each */
+  PetscReal bend[LEVELSET_MAX_DIM]; /* change of its gradient along each */
 } FunctionTrend;
 
 /* Values at all samples of a box. [out] v - [SAMPLES^dim] */
@@ -182,7 +186,8 @@ static PetscErrorCode LevelSetSample_Private(const LevelSetCell *cell, const Lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The difference of two samples. [in] q - their first; returns whether there is a second one along coordinate k */
+/* The difference of two samples.
+   [in] q - their first; returns whether there is a second one along coordinate k */
 static PetscBool SampleDifference_Private(const PetscReal v[], PetscInt q, PetscInt k, PetscReal *difference)
 {
   PetscInt stride = 1;
@@ -193,8 +198,8 @@ static PetscBool SampleDifference_Private(const PetscReal v[], PetscInt q, Petsc
   return PETSC_TRUE;
 }
 
-/* The largest difference of samples along each coordinate, that of such differences, and the largest second differences of all
-   coordinates together. [out] reach, bend - [dim] */
+/* The largest difference of samples along each coordinate, the largest difference of these, and the largest
+   second differences of all coordinates. [out] reach, bend - [dim] */
 static void SampleDifferences_Private(PetscInt dim, const PetscReal v[], PetscReal reach[], PetscReal bend[],
                                       PetscReal *margin)
 {
@@ -233,8 +238,8 @@ static PetscBool LineIsNear_Private(const PetscReal v[], PetscInt q, PetscInt st
   return (PetscBool)(lowest <= near && highest >= -near);
 }
 
-/* The range of differences on lines along coordinate k that may have a zero on or beside them. [in] near - what values on these
-   are not larger than; [in] zero - what is rounding; [out] rise - [2] */
+/* The range of differences on lines along coordinate k that may have a zero on or beside them.
+   [in] near - bound on values of these lines; [in] zero - roundoff; [out] rise - [2] */
 static void SampleRises_Private(PetscInt dim, PetscInt k, PetscReal near, PetscReal zero, const PetscReal v[],
                                 PetscReal rise[])
 {
@@ -245,7 +250,7 @@ static void SampleRises_Private(PetscInt dim, PetscInt k, PetscReal near, PetscR
   rise[0] = PETSC_MAX_REAL;
   rise[1] = -PETSC_MAX_REAL;
   for (PetscInt q = 0; q < total; q++) {
-    if (q / stride % SAMPLES > 0 || !LineIsNear_Private(v, q, stride, near)) continue; // no first one of a line
+    if (q / stride % SAMPLES > 0 || !LineIsNear_Private(v, q, stride, near)) continue; // not the first of a line
     for (PetscInt j = 1; j < SAMPLES; j++) {
       const PetscReal a = v[q + (j - 1) * stride], b = v[q + j * stride], d = b - a;
 
@@ -291,8 +296,8 @@ static void FunctionTrendSet_Private(PetscInt dim, const LevelSetFunction *funct
   }
 }
 
-/* Whether function i is one at a zero of another one, here or in the boxes around; and whether, at the point where it was evaluated last, that
-   zero was beyond its box. [in] u - that point, NULL for the first question */
+/* Whether function i is taken at a zero of another one, here or in the boxes around. With u, also whether
+   that zero was beyond its box at the last evaluation. [in] u - the point of that evaluation, or NULL */
 static PetscBool LevelSetIsMeeting_Private(const LevelSetBox *box, PetscInt i, const PetscReal u[])
 {
   for (; box->around; i = box->function[i].of, box = box->around) {
@@ -304,8 +309,8 @@ static PetscBool LevelSetIsMeeting_Private(const LevelSetBox *box, PetscInt i, c
   return PETSC_FALSE;
 }
 
-/* Whether a function rises or falls at both ends of the lines along coordinate k as it does between: one that turns round between the last two
-   samples has two zeros there. [in] v - its samples */
+/* Whether a function is monotone in the same sense at both ends of the lines along coordinate k. An extremum
+   between the last two samples may hide two zeros. [in] v - its samples */
 static PetscErrorCode LevelSetCheckEnds_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                                 PetscInt k, const PetscReal v[], PetscBool *goes)
 {
@@ -347,7 +352,7 @@ static PetscErrorCode LevelSetCheckEnds_Private(const LevelSetCell *cell, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coordinate along which all functions go best, -1 where there is none. [in,out] score - [dim] */
+/* The best coordinate for lines, -1 where there is none. [in,out] score - [dim] */
 static PetscErrorCode LevelSetChooseLine_Private(const LevelSetCell *cell, const LevelSetBox *box,
                                                  const PetscReal v[][MAX_SAMPLES], PetscBool stays[][LEVELSET_MAX_DIM],
                                                  PetscReal score[], PetscInt *line)
@@ -444,8 +449,8 @@ void LevelSetBoxProject(const LevelSetBox *box, const LevelSetTrend *trend, Leve
   for (PetscInt i = 0; i < base->num; i++) base->function[i] = wanted[i];
 }
 
-/* Looks for a point between three others where a function has another sign than at all of these, by parabolas. [in,out] at - places and
-   values, the last two of which become those of that point and of one beside it [3] */
+/* Searches, by parabolas, a point between three others at which the sign of a function differs from theirs.
+   [in,out] at - places and values [3]; the last two become that point and one beside it */
 static PetscErrorCode LevelSetFindDip_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                               PetscReal at[][2], PetscReal u[], PetscBool *found)
 {
@@ -475,7 +480,7 @@ static PetscErrorCode LevelSetFindDip_Private(const LevelSetCell *cell, const Le
       *found   = PETSC_TRUE;
       break;
     }
-    keep        = x > at[1][0] ? 0 : 2; // the end that goes
+    keep        = x > at[1][0] ? 0 : 2; // the end that is replaced
     at[keep][0] = at[1][0];
     at[keep][1] = at[1][1];
     at[1][0]    = x;
@@ -494,7 +499,7 @@ static PetscErrorCode LevelSetFindZeros_Private(const LevelSetCell *cell, const 
   PetscInt        kept = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt s = 0; s < LINE_SAMPLES; s++) { // values that are rounding have no sign
+  for (PetscInt s = 0; s < LINE_SAMPLES; s++) { // roundoff has no sign
     u[line] = at[kept][0] = part[0] + (part[1] - part[0]) * s / (LINE_SAMPLES - 1);
     PetscCall(LevelSetEvaluate_Private(cell, box, i, u, &at[kept][1]));
     if (PetscAbsReal(at[kept][1]) > zero) kept++;
@@ -519,8 +524,8 @@ static PetscErrorCode LevelSetFindZeros_Private(const LevelSetCell *cell, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Zeros along the only coordinate of a box, not in order: first those at which other functions begin to have zeros on lines, between which
-   the places where these meet are smooth functions. */
+/* Zeros along the only coordinate of a box, not in order. The first ones are those where zeros of other
+   functions begin on lines; between them, the places where such zeros meet are smooth functions. */
 static PetscErrorCode LevelSetFindAllZeros_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscReal u[],
                                                    PetscInt *num, PetscReal ends[])
 {

@@ -1,4 +1,5 @@
-/* levelsets.h -- functions of points in a unit cube, their zeros on lines, and where these begin and end; internal to cubature.h. */
+/* levelsets.h -- functions of points in a unit cube, their zeros on lines, and where these begin and end;
+   internal to cubature.h. */
 #ifndef MORTISE_LEVELSETS_H
 #define MORTISE_LEVELSETS_H
 
@@ -14,12 +15,12 @@ typedef struct {
   PetscBool collapsed; /* or all of the cube, by collapsed coordinates */
 } LevelSetCell;
 
-/* A function in a cell is one of the cubature's, or the facet of a simplex that is not the cube's; in a box of fewer coordinates it is one of the box around, at an end of its lines or
-   where another one of its functions is zero on them. */
+/* In a cell, a function of the cubature, or the inclined facet of a simplex. In a box of fewer coordinates, a
+   function of the box around, at an end of its lines or at the zero of another function on them. */
 typedef struct {
   PetscInt  of, other; /* of < 0: that facet; other < 0: at an end */
   PetscReal at;        /* that end */
-  PetscReal scale;     /* values that are nothing to it are rounding */
+  PetscReal scale;     /* values that are roundoff relative to it have no sign */
 } LevelSetFunction;
 
 /* A box of some of the coordinates, and the functions that may be zero in it. */
@@ -32,10 +33,10 @@ typedef struct _n_LevelSetBox {
   LevelSetFunction             function[LEVELSET_MAX_FUNCTIONS];
 } LevelSetBox;
 
-/* How the functions of a box go along its coordinates. */
+/* Monotonicity of the functions of a box along its coordinates. */
 typedef struct {
-  PetscInt  line;                          /* along which each rises, falls or stays; -1 where there is none */
-  PetscInt  bent;                          /* along which their gradients change most */
+  PetscInt  line;                          /* along which each is monotone or constant; -1 where there is none */
+  PetscInt  bent;                          /* along which gradients change most */
   PetscBool planes;                        /* whether all are linear in the box */
   PetscBool stays[LEVELSET_MAX_FUNCTIONS]; /* along line */
 } LevelSetTrend;
@@ -43,17 +44,18 @@ typedef struct {
 /* The whole cube, with all functions. */
 void LevelSetCellInit(Cubature *cubature, PetscBool collapsed, LevelSetCell *cell, LevelSetBox *box);
 
-/* Removes functions that are not zero in a box, and looks along the coordinates. Not collective. */
+/* Removes functions without zeros in a box, and chooses the coordinate for lines. Not collective. */
 PetscErrorCode LevelSetBoxTrend(const LevelSetCell *cell, LevelSetBox *box, LevelSetTrend *trend);
 /* The box without coordinate trend->line: its functions are zero where the zeros on lines begin, end or meet.
    [out] fits - whether it has room for them */
 void LevelSetBoxProject(const LevelSetBox *box, const LevelSetTrend *trend, LevelSetBox *base, PetscBool *fits);
-/* Zeros along a coordinate, ascending, from end to end: ends[0] and ends[num] are those of the box. Each function has one at most unless
-   the box has no other coordinate. Not collective. [in,out] u - the point, of which [line] is lost; [out] ends - [LEVELSET_MAX_ZEROS] */
+/* Zeros along a coordinate, ascending, from end to end: ends[0] and ends[num] are those of the box. Each
+   function has one at most unless the box has no other coordinate. Not collective.
+   [in,out] u - the point, of which [line] is lost; [out] ends - [LEVELSET_MAX_ZEROS] */
 PetscErrorCode LevelSetBoxZeros(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
                                 PetscInt *num, PetscReal ends[]);
-/* The nearest zeros on a line beyond both ends of a box, where there are some within its length, and as seen from there: for rules that
-   know of roots. Not collective. [in,out] beyond - infinite where there is none [2] */
+/* The nearest zeros on a line beyond both ends of a box, where there are some within its length: for rules
+   that allow for roots. Not collective. [in,out] beyond - infinite where there is none [2] */
 PetscErrorCode LevelSetBoxBeyond(const LevelSetCell *cell, const LevelSetBox *box, PetscInt line, PetscReal u[],
                                  PetscReal beyond[]);
 

@@ -1,7 +1,7 @@
 /* material.c -- Hooke's law in Voigt's order with engineering shear: sigma = C eps (eq. 8.1).
 
-   Voigt's vectors are no vectors: stresses and strains turn with different matrices, because shear is counted twice
-   in a strain. Everything that turns is therefore written with the two tensor indices behind each of Voigt's.
+   Voigt's vectors are no vectors: stresses and strains rotate with different matrices, because shear is
+   counted twice in a strain. Rotations are therefore written with the two tensor indices of each of Voigt's.
 
    Reference:
      [1] B. A. Auld, Acoustic Fields and Waves in Solids I (1973), section 3.D: Bond's matrices. */
@@ -28,8 +28,8 @@ static PetscInt MaterialNumDirectStrains_Private(PetscInt num_strains)
   return num_strains == STRAINS_PLANE ? 2 : 3;
 }
 
-/* sigma_ij = lambda eps_kk delta_ij + 2 mu eps_ij, and gamma = 2 eps for shear; plane stress has the same form with the
-   lambda that makes sigma_zz vanish. */
+/* sigma_ij = lambda eps_kk delta_ij + 2 mu eps_ij, and gamma = 2 eps for shear; plane stress has the same
+   form with the lambda that makes sigma_zz vanish. */
 void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, PetscReal C[])
 {
   const PetscInt  num_strains = MaterialNumStrains(model), num_direct = MaterialNumDirectStrains_Private(num_strains);
@@ -45,8 +45,8 @@ void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, Pets
   }
 }
 
-/* R takes components along the material axes to global ones: R = R_z(angle_0) R_x(angle_1) R_z(angle_2), of which a model
-   in a plane has the first. */
+/* R takes components along the material axes to global ones: R = R_z(angle_0) R_x(angle_1) R_z(angle_2), of
+   which a model in a plane has the first. */
 static void MaterialRotationMatrix_Private(PetscInt num_angles, const PetscReal angle[], PetscReal R[9])
 {
   PetscReal c[3] = {1., 1., 1.}, s[3] = {0., 0., 0.};
@@ -66,7 +66,8 @@ static void MaterialRotationMatrix_Private(PetscInt num_angles, const PetscReal 
   R[8] = c[1];
 }
 
-/* Bond's matrix T with (R sigma R') = T sigma for the n components that a model carries [1]. [out] T - [n][n] */
+/* Bond's matrix T with (R sigma R') = T sigma for the n components that a model carries [1].
+   [out] T - [n][n] */
 static void MaterialBondMatrix_Private(PetscInt n, const PetscReal R[9], PetscReal T[])
 {
   for (PetscInt row = 0; row < n; row++) {
@@ -167,7 +168,7 @@ PetscReal MaterialDilatation(PetscInt num_strains, const PetscReal strain[])
   return trace;
 }
 
-/* sqrt(3/2 s:s) with the deviator s, written with differences so that pressure of any size drops out. */
+/* sqrt(3/2 s:s) with the deviator s, written with differences, which cancel a pressure of any size. */
 PetscReal MaterialVonMises(const PetscReal stress[6])
 {
   const PetscReal xy = stress[0] - stress[1], yz = stress[1] - stress[2], zx = stress[2] - stress[0];
@@ -187,8 +188,9 @@ void MaterialPrincipal(const PetscReal stress[6], PetscReal principal[3])
   if (!PetscIsInfOrNanReal(sum)) DenseEigenvalues(3, tensor, principal);
 }
 
-/* An indenter feels the compliance S = C^-1, not C: in plane strain S_xx = (1 - nu^2)/E. In space the material beside the contact
-   holds one direction across it: where eps_j = 0, eps_i = (S_ii - S_ij^2 / S_jj) sigma_i, which is the same. */
+/* Indentation depends on the compliance S = C^-1, not on C: in plane strain S_xx = (1 - nu^2)/E. In space the
+   material beside the contact constrains one direction across it. With eps_j = 0, eps_i = (S_ii - S_ij^2 /
+   S_jj) sigma_i, the same value. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])
 {
   const PetscInt num_direct = MaterialNumDirectStrains_Private(num_strains);

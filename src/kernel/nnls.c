@@ -1,16 +1,17 @@
 /* nnls.c -- the active set method of Lawson and Hanson.
 
-   Weights of the present columns are those of the least squares problem without signs, by orthogonalisation; where that
-   asks for a weight below zero, the step towards it ends at the first column that loses its weight, which leaves.
+   Weights of the present columns are those of the least squares problem without signs, by orthogonalisation.
+   If a weight would be negative, the step ends at the first weight that becomes zero, and its column leaves.
 
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, algorithm NNLS (23.10). */
 #include "base/compat.h"
 #include "kernel/nnls.h"
 #include "kernel/vector.h"
 
-/* What is left of a column behind the others' directions: below this part of it, it is one of their combinations. */
+/* A column counts as a combination of the others if its part orthogonal to them is below this share of its
+   length. */
 static const PetscReal DEPENDENT_COLUMN = 1e-13;
-/* Steps for each component, at the end of which only rounding can have led in a circle: two or three are usual. */
+/* Limit of steps per component, reached only in a cycle caused by roundoff: two or three are usual. */
 enum { MAX_STEPS = 1000 };
 
 PetscErrorCode NNLSCreate(PetscInt m, const PetscReal target[], NNLS *nnls)
@@ -31,8 +32,8 @@ PetscErrorCode NNLSDestroy(NNLS *nnls)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Best weights z without regard to signs: Gram and Schmidt, twice against rounding. Returns whether the columns are
-   independent. [out] z - [num] */
+/* Best weights z without regard to signs: Gram and Schmidt, twice against rounding. Returns whether the
+   columns are independent. [out] z - [num] */
 static PetscBool NNLSLeastSquares_Private(const NNLS *nnls, PetscReal z[])
 {
   const PetscInt m = nnls->m, num = nnls->num;
@@ -74,7 +75,8 @@ static void NNLSRemoveColumn_Private(NNLS *nnls, PetscInt j)
   for (PetscInt i = 0; i < nnls->m; i++) nnls->column[j * nnls->m + i] = nnls->column[last * nnls->m + i];
 }
 
-/* Towards z as far as no weight becomes negative, and without those that became zero. Returns whether z was reached. */
+/* Towards z as far as no weight becomes negative, and without those that became zero. Returns whether z was
+   reached. */
 static PetscBool NNLSStepTowards_Private(NNLS *nnls, const PetscReal z[])
 {
   PetscReal length = 1;
@@ -114,7 +116,7 @@ PetscBool NNLSEnter(NNLS *nnls, PetscInt name, const PetscReal column[])
   PetscReal     *z = nnls->work + 2 * m * m;
 
   if (nnls->num == m || ++nnls->steps > MAX_STEPS * m)
-    return PETSC_FALSE; // the present columns span everything: the residual is rounding
+    return PETSC_FALSE; // the present columns span everything: the residual is roundoff
   nnls->name[nnls->num]   = name;
   nnls->weight[nnls->num] = 0;
   for (PetscInt i = 0; i < m; i++) nnls->column[nnls->num * m + i] = column[i];

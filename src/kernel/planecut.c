@@ -1,8 +1,8 @@
 /* planecut.c -- integrals of functions that jump or bend across planes.
 
-   Nested integrals do not use that most jumps and kinks are planes: each of their lines finds its own. Here the edges of a simplex find
-   where the function jumps or bends; dim of these points give a plane, which is confirmed in their middle. The simplex is cut along it, and
-   its parts are treated alike until two rules agree on all of them. A part without a plane, where two of them meet, is halved. */
+   Most jumps and kinks are planes. Here they are searched on the edges of a simplex; dim of these points give
+   a plane, which is confirmed in their middle. The simplex is cut along it, and its parts likewise, until two
+   rules agree on all of them. A part without a plane, where two of them meet, is halved. */
 #include "base/compat.h"
 #include "kernel/planecut.h"
 #include "kernel/referencecell.h"
@@ -11,16 +11,16 @@ enum { MAX_DIM = 3, MAX_CORNERS = MAX_DIM + 1, MAX_EDGES = 6, MAX_SIMPLICES = 6,
 
 /* Evaluations for a reference cell. A plane takes 1500 to 3000 for each simplex. */
 static const PetscInt LARGEST_COUNT = 60000;
-/* Points on edges and vertices are moved to the centroid by this part of their distance: parts of one plane share faces, on which the function has
-   either value. */
+/* Points on edges and vertices are moved towards the centroid by this part of their distance: at a jump, the
+   faces of two parts have either value. */
 static const PetscReal INWARD = 1e-6;
-/* A corner as near to a plane, relative to the simplex, is on it. */
+/* A corner nearer to a plane, relative to the simplex, is on it. */
 static const PetscReal ON_PLANE = 1e-9;
-/* A plane is confirmed within this part of the line that looks for it. */
+/* A plane is confirmed within this part of the line across it. */
 static const PetscReal CONFIRMED = 1e-3;
-/* Parts of less volume, relative to the cell, are not looked at. */
+/* Parts of less volume, relative to the cell, are omitted. */
 static const PetscReal SLIVER = 1e-13;
-/* What all parts together may be wrong by is shared by so many of them. */
+/* Part of the tolerance that is permitted for one simplex. */
 static const PetscReal PART_SHARE = 1. / 16.;
 
 typedef struct {
@@ -131,7 +131,8 @@ static PetscErrorCode SimplexFindCuts_Private(Cubature *cubature, const Simplex 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The unit normal of the plane through dim points; returns the size of the figure that they make, 0 where it is too thin. */
+/* The unit normal of the plane through dim points; returns the size of the figure that they make, 0 where it
+   is too thin. */
 static PetscReal PlaneNormal_Private(PetscInt dim, const PetscReal *const p[], PetscReal normal[])
 {
   PetscReal a[MAX_DIM], b[MAX_DIM] = {0.}, length = 0., scale = 0.;
@@ -153,7 +154,8 @@ static PetscReal PlaneNormal_Private(PetscInt dim, const PetscReal *const p[], P
   return length > CONFIRMED * (dim == 3 ? scale : PetscSqrtReal(scale)) ? length : 0.;
 }
 
-/* The largest figure of dim cuts that is smaller than the last one. [in,out] size; [out] middle, normal - [dim] */
+/* The largest figure of dim cuts that is smaller than the last one.
+   [in,out] size; [out] middle, normal - [dim] */
 static PetscBool CutsChoose_Private(PetscInt dim, PetscInt num, PetscReal cut[][MAX_DIM], PetscReal *size,
                                     PetscReal middle[], PetscReal normal[])
 {
@@ -180,7 +182,8 @@ static PetscBool CutsChoose_Private(PetscInt dim, PetscInt num, PetscReal cut[][
   return (PetscBool)(*size > 0.);
 }
 
-/* Distances of the corners from a plane through some of the cuts, across which the function jumps or bends in their middle, too.
+/* Distances of the corners from a plane through some of the cuts, across which the function jumps or bends in
+   their middle, too.
    [out] distance - [dim+1] */
 static PetscErrorCode SimplexFindPlane_Private(Cubature *cubature, const Simplex *simplex, PetscInt num,
                                                PetscReal cut[][MAX_DIM], PetscReal distance[], PetscBool *found)
@@ -275,7 +278,7 @@ static PetscInt CellSimplices_Private(const Reference *cell, Simplex stack[])
   return num;
 }
 
-/* What two rules differ by in units of the tolerance. */
+/* The difference of two rules in units of the tolerance. */
 static PetscReal CubatureDifference_Private(const Cubature *cubature, const PetscReal a[], const PetscReal b[])
 {
   PetscReal most = 0.;
@@ -293,7 +296,7 @@ PetscErrorCode CubaturePlanes(Cubature *cubature, PetscReal value[], PetscReal *
   Simplex          stack[STACK];
   PetscInt         num = CellSimplices_Private(cell, stack);
   PetscReal        scaled[CUBATURE_MAX_SIZE];
-  Cubature         part = *cubature; // what a line is wrong by counts as the part that is around it
+  Cubature         part = *cubature; // errors of its lines are measured by the same tolerance
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(value, cubature->size));

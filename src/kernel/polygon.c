@@ -1,8 +1,8 @@
 /* polygon.c -- the common part of two convex polygons.
 
-   A point counts as inside of an edge up to a small distance on its other side, so that polygons that share a vertex or
-   an edge keep it whatever roundoff says. Neighbours of a tiling measure the distance from the same line, their common
-   edge: what one of them loses the other has.
+   A point counts as inside of an edge up to a small distance on its other side: roundoff cannot cut off a
+   common vertex or edge of two polygons. Neighbours of a tiling measure the distance from the same line,
+   their common edge: each part belongs to one of them.
 
    Reference:
      [1] I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974). */
@@ -29,7 +29,8 @@ static PetscReal PolygonLineDistance_Private(const PetscReal a[], const PetscRea
   return length > 0. ? (e[0] * (p[1] - a[1]) - e[1] * (p[0] - a[0])) / length : 0.;
 }
 
-/* What of a polygon lies left of the line through a and b. A line adds one vertex to a convex polygon at most.
+/* The part of a polygon left of the line through a and b, which has at most one vertex more than a convex
+   polygon.
    [in] P - [n][2]; [out] Q - [n + 1][2] */
 static PetscInt PolygonCutByLine_Private(PetscInt n, const PetscReal P[], const PetscReal a[], const PetscReal b[],
                                          PetscReal tolerance, PetscReal Q[])

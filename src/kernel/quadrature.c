@@ -1,11 +1,11 @@
 /* quadrature.c -- quadrature rules on the reference cells of element.h.
 
-   Tables and closed forms rather than a library's rules: they are asked for once per facet or piece, where making a
-   rule anew would cost more than using it.
+   Tables and closed forms rather than a library: a rule is needed once per facet or piece, where its
+   construction would cost more than its use.
 
    References:
      [1] G. R. Cowper, Gaussian quadrature formulas for triangles, Int. J. Numer. Meth. Engng 7 (1973).
-     [2] A. H. Stroud, Approximate Calculation of Multiple MortarIntegrals (1971), T2:5-1.
+     [2] A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T2:5-1.
      [3] N. J. Walkington, Quadrature on simplices of arbitrary dimension (2000). */
 #include "kernel/element.h"
 
@@ -63,8 +63,8 @@ static PetscInt QuadratureNumGauss_Private(PetscInt degree)
   return PetscMax(degree, 0) / 2 + 1;
 }
 
-/* The line's rules in every direction, the first one running fastest: exact for x^a y^b z^c with a, b and c up to the
-   degree of their direction. [in] degree - [dim] */
+/* The product of line rules, the first coordinate running fastest: exact for x^a y^b z^c up to the degree of
+   each direction. [in] degree - [dim] */
 static PetscInt QuadratureProductRule_Private(PetscInt dim, const PetscInt degree[], PetscReal points[],
                                               PetscReal weights[])
 {
@@ -101,8 +101,8 @@ static void QuadratureOrbit_Private(PetscReal a, PetscReal weight, PetscReal poi
   }
 }
 
-/* The rule of the square or cube, drawn together into a corner of the simplex: each coordinate is narrowed by the 1 - t of
-   those behind it, whose Jacobian takes one degree of what the line's rule can do for y, two for z. */
+/* The rule of the square or cube, collapsed into a corner of the simplex: each coordinate is scaled by 1 - t
+   of those behind it. The Jacobian reduces the degree of the line rule by one for y, by two for z. */
 static PetscInt QuadratureCollapsedRule_Private(PetscInt dim, PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscInt degrees[3] = {degree, degree + 1, degree + 2};
@@ -121,7 +121,8 @@ static PetscInt QuadratureCollapsedRule_Private(PetscInt dim, PetscInt degree, P
   return n;
 }
 
-/* Symmetric rules with positive weights and inner points: 1, 3, 6 [1] and 7 points [2]; beyond them, the square's. */
+/* Symmetric rules with positive weights and inner points: 1, 3, 6 [1] and 7 points [2]; beyond them, the
+   square's. */
 static PetscInt QuadratureTriangleRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscReal area = 0.5, third = 1. / 3.;
@@ -131,7 +132,7 @@ static PetscInt QuadratureTriangleRule_Private(PetscInt degree, PetscReal points
     weights[0]            = area;
     return 1;
   }
-  if (degree == 2) { /* points inside rather than at the middles of the edges, so that no load is evaluated on a side */
+  if (degree == 2) { /* not at the middles of the edges: no load is evaluated on a side */
     QuadratureOrbit_Private(1. / 6., area / 3., points, weights);
     return 3;
   }
@@ -175,9 +176,9 @@ static void QuadratureEdgeOrbit_Private(PetscReal a, PetscReal weight, PetscReal
   }
 }
 
-/* Eight points, exact to degree 3. With t = 1 - 4a the place of an orbit between the centroid and the vertices, weights W
-   of two orbits must fulfil W_1 + W_2 = 1, sum W t^2 = 1/5, sum W t^3 = 1/15; of the solutions, Stroud's has points on the
-   facets (t = -1/3), this one has them all inside. */
+/* Eight points, exact to degree 3. Let t = 1 - 4a be the place of an orbit between the centroid and the
+   vertices. Weights of two orbits fulfil W_1 + W_2 = 1, sum W t^2 = 1/5, sum W t^3 = 1/15. Of the solutions,
+   Stroud's has points on the facets (t = -1/3), this one has them all inside. */
 static PetscInt QuadratureTetrahedronCubic_Private(PetscReal points[], PetscReal weights[])
 {
   const PetscReal volume = 1. / 6., s = 0.32, ratio = (1. / 15. + s * s * s) / (1. / 5. - s * s),
@@ -189,7 +190,8 @@ static PetscInt QuadratureTetrahedronCubic_Private(PetscReal points[], PetscReal
   return 8;
 }
 
-/* Symmetric rules with positive weights and inner points: 1, 4, 8 and 14 points [3]; beyond them, the cube's. */
+/* Symmetric rules with positive weights and inner points: 1, 4, 8 and 14 points [3]; beyond them, the
+   cube's. */
 static PetscInt QuadratureTetrahedronRule_Private(PetscInt degree, PetscReal points[], PetscReal weights[])
 {
   const PetscReal volume = 1. / 6.;

@@ -1,13 +1,15 @@
 /* referencecell.c -- the reference cells as a table.
 
-   A new cell type is a row: its nodes, its edges and facets, its shape functions, and a rule in quadrature.c. Loops over
-   tables cost a small part of what general finite element classes take for so few nodes, and read like the formulas. */
+   A new cell type is a row: its nodes, its edges and facets, its shape functions, and a rule in quadrature.c.
+   For so few nodes, loops over tables are much faster than general finite element classes, and read like the
+   formulas. */
 #include "kernel/referencecell.h"
 
-/* Facets follow each other anticlockwise around a plane cell, so that its inside is on their left; those of a cell in space
-   run anticlockwise seen from outside. Stiffness: tri3 and tet4 have constant strains; products of two strains are of
-   degree 2 in each direction for quad4 and hex8, 4 for quad9 and hex27, and quadratic in tri6 and tet10, where curved
-   sides ask for more: degree 3 integrates the gradients in a curved tet10 exactly, and with them passes patch tests. */
+/* Facets follow each other anticlockwise around a plane cell, so that its inside is on their left; those of a
+   cell in space run anticlockwise seen from outside. Degrees of the stiffness: tri3 and tet4 have constant
+   strains. Products of two strains are of degree 2 in each direction for quad4 and hex8, of degree 4 for
+   quad9 and hex27, and quadratic in tri6 and tet10. There curved sides need more: degree 3 integrates the
+   gradients in a curved tet10 exactly, as patch tests require. */
 const Reference REFERENCE[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = {.dim              = 1,
                        .order            = 1,

@@ -13,11 +13,11 @@ typedef struct {
   ElementType facet_type; /* ELEMENT_COUNT where the facets are points */
   PetscBool   simplex;    /* coordinates add up to 1 at most; otherwise each is in [0,1] */
   PetscInt    stiffness_degree;
-  PetscInt  lattice; /* intervals along an edge between the points that show how small det J is; 1: vertices suffice */
-  PetscReal nodes[ELEMENT_MAX_NODES][REFERENCE_MAX_DIM];
-  PetscInt  edges[REFERENCE_MAX_EDGES][2];
-  PetscInt  facets[REFERENCE_MAX_FACETS][ELEMENT_MAX_FACET_NODES];
-  ShapeFn  *shape;
+  PetscInt    lattice; /* intervals along an edge of the lattice for the smallest det J; 1: vertices suffice */
+  PetscReal   nodes[ELEMENT_MAX_NODES][REFERENCE_MAX_DIM];
+  PetscInt    edges[REFERENCE_MAX_EDGES][2];
+  PetscInt    facets[REFERENCE_MAX_FACETS][ELEMENT_MAX_FACET_NODES];
+  ShapeFn    *shape;
 } Reference;
 
 extern const Reference REFERENCE[ELEMENT_COUNT];

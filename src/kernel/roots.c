@@ -1,11 +1,11 @@
 /* roots.c -- real roots of a polynomial between 0 and 1, from those of its derivative.
 
-   Between neighbouring roots of its derivative a polynomial is monotone, so that it has one root there or none, as its
-   signs at the ends tell. Nothing is divided by a leading coefficient: where the higher ones are roundoff the answer is
-   that of the lower degree. */
+   Between neighbouring roots of its derivative a polynomial is monotone: it has one root there or none, by
+   its signs at the ends. No division by a leading coefficient: where the higher ones are roundoff the result
+   is that of the lower degree. */
 #include "kernel/roots.h"
 
-/* Halving alone would end after as many steps as a number has digits. */
+/* Bisection alone needs as many steps as a number has binary digits. */
 enum { MAX_STEPS = 100 };
 
 static PetscReal RootsValue_Private(PetscInt degree, const PetscReal c[], PetscReal t)
@@ -16,7 +16,8 @@ static PetscReal RootsValue_Private(PetscInt degree, const PetscReal c[], PetscR
   return value;
 }
 
-/* The root between two places where the signs differ: Newton's method, or halving where that would leave the bracket.
+/* The root between two places where the signs differ: Newton's method, or halving where that would leave the
+   bracket.
    [in] d - coefficients of the derivative [degree] */
 static PetscReal RootsBracketed_Private(PetscInt degree, const PetscReal c[], const PetscReal d[], PetscReal low,
                                         PetscReal high)

@@ -42,7 +42,8 @@ void ShapeFunctionTet4(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   }
 }
 
-/* In barycentric coordinates l: l_i (2 l_i - 1) at vertices, 4 l_i l_j in the middles of edges. [in] edge - [][2] */
+/* In barycentric coordinates l: l_i (2 l_i - 1) at vertices, 4 l_i l_j in the middles of edges.
+   [in] edge - [][2] */
 static void ShapeFunctionSimplex_Private(PetscInt dim, PetscInt num_edges, const PetscInt edge[][2],
                                          const PetscReal l[], const PetscReal dl[], PetscReal phi[], PetscReal dphi[])
 {
@@ -107,7 +108,8 @@ void ShapeFunctionQuad9(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   ShapeFunctionProduct_Private(ShapeFunctionLine3, 9, node, xi, phi, dphi);
 }
 
-/* Products phi_a(x) phi_b(y) phi_c(z) of the line's functions. [in] node - a, b, c of every node [num_nodes][3] */
+/* Products phi_a(x) phi_b(y) phi_c(z) of the line's functions.
+   [in] node - a, b, c of every node [num_nodes][3] */
 static void ShapeFunctionProduct3_Private(ShapeFn *line, PetscInt num_nodes, const PetscInt node[][3],
                                           const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
@@ -134,7 +136,8 @@ void ShapeFunctionHex8(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
   ShapeFunctionProduct3_Private(ShapeFunctionLine2, 8, node, xi, phi, dphi);
 }
 
-/* Vertices; edges of the lower and the upper facet, then upright ones; facets below, above, in front, right, back, left. */
+/* Vertices; edges of the lower and the upper facet, then upright ones; facets below, above, in front, right,
+   back, left. */
 void ShapeFunctionHex27(const PetscReal xi[], PetscReal phi[], PetscReal dphi[])
 {
   static const PetscInt node[27][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1},

@@ -1,4 +1,5 @@
-/* vector.h -- products of short vectors, inline: a call of BLAS would cost more than the sum of two or three products. */
+/* vector.h -- products of short vectors, inline: a call of BLAS would cost more than the sum of two or three
+   products. */
 #ifndef MORTISE_VECTOR_H
 #define MORTISE_VECTOR_H
 
