@@ -1,7 +1,8 @@
-/* gmsh.c -- Gmsh files of formats 2.2 and 4.1, ASCII and binary (Gmsh reference manual, chapter "Gmsh file formats").
+/* gmsh.c -- Gmsh files of formats 2.2 and 4.1, ASCII and binary (Gmsh reference manual, chapter "Gmsh file
+   formats").
 
-   An element with a node that the file does not define, a block of an entity that does not exist, or counts that do not
-   add up, end in a sentence. */
+   An element with an undefined node, a block of an undefined entity, and inconsistent counts are reported by
+   a sentence. */
 #include "gmsh/gmsh.h"
 #include "base/compat.h"
 #include <ctype.h>
@@ -14,7 +15,7 @@ enum {
   MAX_NAME  = 127,       /* letters of a physical group's name, by the format */
   MAX_LINE  = 512,       /* letters of a line of text that is read at once */
   MAX_TAGS  = 64,        /* of an element */
-  MAX_TAG   = 100000000, /* of a node or an entity: far above what a mesh needs, far below what an integer holds */
+  MAX_TAG   = 100000000, /* of a node or an entity: far above the tags of any mesh */
   MAX_COUNT = 500000000, /* three coordinates of each can still be numbered */
   MIN_SIZE  = 64         /* first size of a list that grows */
 };
@@ -121,7 +122,8 @@ static PetscErrorCode GmshGrowList_Private(PetscInt wanted, PetscInt *room, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Appends the number of a physical group. 0 means none; a minus sign means elements of the opposite orientation. */
+/* Appends the number of a physical group. 0 means none; a minus sign means elements of the opposite
+   orientation. */
 static PetscErrorCode GmshAddGroup_Private(GmshReader *reader, PetscInt64 group)
 {
   GmshMesh *mesh = reader->mesh;
@@ -158,7 +160,7 @@ static PetscErrorCode GmshReadEntities_Private(GmshReader *reader)
       for (PetscInt n = GmshReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; n--)
         PetscCall(GmshAddGroup_Private(reader, GmshReadTag_Private(reader)));
       reader->entity_end[e] = reader->mesh->num_groups;
-      if (dim == 0) continue; // nothing bounds a point
+      if (dim == 0) continue; // a point has no boundary
       for (PetscInt n = GmshReadCount_Private(reader, "tags of an entity"); n > 0 && !reader->reason[0]; n--)
         (void)GmshReadTag_Private(reader);
     }
@@ -167,7 +169,8 @@ static PetscErrorCode GmshReadEntities_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads the head of a block of format 4.1: dimension and tag of its entity. [out] entity - index of the entity */
+/* Reads the head of a block of format 4.1: dimension and tag of its entity.
+   [out] entity - index of the entity */
 static PetscErrorCode GmshReadEntity_Private(GmshReader *reader, PetscInt64 *dim, PetscInt *entity)
 {
   PetscInt64 tag;
@@ -206,7 +209,7 @@ static PetscErrorCode GmshSortNodes_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Positions in the order of the file, and sorted tags, which elements are looked up in. */
+/* Positions in the order of the file, and sorted tags for the nodes of elements. */
 static PetscErrorCode GmshReadNodes_Private(GmshReader *reader)
 {
   const PetscBool blocks     = reader->version > 40 ? PETSC_TRUE : PETSC_FALSE;
@@ -266,8 +269,8 @@ static PetscErrorCode GmshAllocateElements_Private(GmshMesh *mesh, PetscInt num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the nodes just read are those of the element before, in the same order. Format 2.2 lists an element of several physical
-   groups once for each group, in succession. */
+/* Whether the nodes just read are those of the element before, in the same order. Format 2.2 lists an element
+   of several physical groups once for each group, in succession. */
 static PetscBool GmshRepeatsElement_Private(const GmshMesh *mesh, const GmshType *type)
 {
   const PetscInt e = mesh->num_elements, num = type->num_nodes;
@@ -304,7 +307,7 @@ static PetscErrorCode GmshReadElement_Private(GmshReader *reader, PetscInt64 ele
   }
   if (type->dim == 0) PetscFunctionReturn(PETSC_SUCCESS);
   if (reader->version < 40 && GmshRepeatsElement_Private(mesh, type)) {
-    mesh->end_group[e - 1] = end; // its groups follow those of the element before
+    mesh->end_group[e - 1] = end; // its groups continue those of the element before
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   mesh->type[e]        = type;
@@ -379,7 +382,8 @@ static PetscErrorCode GmshReadBlocks_Private(GmshReader *reader)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Skips the elements of a head that was read; in text, the rest of its line and one line for each further element. */
+/* Skips the elements of a head that was read; in text, the rest of its line and one line for each further
+   element. */
 static void GmshSkipElements_Private(GmshReader *reader, PetscInt64 num_lines, PetscInt64 num_bytes)
 {
   if (reader->binary && fseek(reader->file, (long)num_bytes, SEEK_CUR)) GmshFail_Private(reader, "it ends too early");
@@ -388,7 +392,8 @@ static void GmshSkipElements_Private(GmshReader *reader, PetscInt64 num_lines, P
   }
 }
 
-/* Highest dimension of the elements, up to the first solid, by their heads alone. Format 4.1 tells it for any type. */
+/* Highest dimension of the elements, up to the first solid, by their heads alone. Heads of format 4.1 have
+   the dimension, for unknown types, too. */
 static PetscInt GmshProbeElements_Private(GmshReader *reader)
 {
   const PetscBool blocks = reader->version > 40 ? PETSC_TRUE : PETSC_FALSE;
@@ -398,7 +403,8 @@ static PetscInt GmshProbeElements_Private(GmshReader *reader)
   if (blocks) (void)GmshReadCount_Private(reader, "elements");
   if (blocks) GmshReadRange_Private(reader);
   while (num > 0 && dim < 3 && !reader->reason[0]) {
-    /* dimension, entity, type; in text of format 2.2 element, type, tags; in binary files of format 2.2 type, elements, tags */
+    /* dimension, entity, type; in text of format 2.2 element, type, tags; in binary files of format 2.2 type,
+       elements, tags */
     const GmshType *type;
     PetscInt64      head[3], run;
 
@@ -417,7 +423,8 @@ static PetscInt GmshProbeElements_Private(GmshReader *reader)
   return dim;
 }
 
-/* Splits the line `dim tag "name"` in place; NULL if it is not one, or the name is longer than Gmsh allows. */
+/* Splits the line `dim tag "name"` in place; NULL if it is not one, or the name is longer than Gmsh
+   allows. */
 static char *GmshParseName_Private(char line[], int *dim, int *tag)
 {
   int   used = 0;
@@ -485,7 +492,8 @@ static void GmshReadFormat_Private(GmshReader *reader)
 }
 
 /* Section after section up to the elements; a section that is not needed is skipped line by line.
-   [out] names - NULL if only the dimension of the elements is asked for; [out] dim - that, if names is NULL */
+   [out] names - NULL if only the dimension of the elements is asked for;
+   [out] dim - that, if names is NULL */
 static PetscErrorCode GmshReadSections_Private(GmshReader *reader, GmshNames *names, PetscInt *dim)
 {
   PetscBool format = PETSC_FALSE, elements = PETSC_FALSE;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* A plane mesh may lie at any height, but not leave it by more than this share of its size. */
-static const PetscReal PlaneShare = 1e-9;
+static const PetscReal PLANE_SHARE = 1e-9;
 
 /* Position of a node of an element. [in] i - the node's number in the element */
 static const PetscReal *ElementGetPosition_Private(const GmshMesh *mesh, PetscInt e, PetscInt i)
@@ -32,7 +32,7 @@ void GmshDescribeDimension(PetscInt highest, PetscInt dim, char reason[], size_t
 
 void GmshCheckHeight(const PetscReal lower[], const PetscReal upper[], char reason[], size_t len)
 {
-  if (upper[2] - lower[2] > PlaneShare * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
+  if (upper[2] - lower[2] > PLANE_SHARE * PetscMax(upper[0] - lower[0], upper[1] - lower[1])) {
     snprintf(
         reason, len,
         "its cells are surfaces that are not parallel to the x,y plane: z runs from %g to %g; gmsh -3 makes solids, "
@@ -41,8 +41,8 @@ void GmshCheckHeight(const PetscReal lower[], const PetscReal upper[], char reas
   }
 }
 
-/* Whether the file has cells of the scene's dimension, and a plane scene a plane mesh. [out] reason - "" if so
-   [len] */
+/* Whether the file has cells of the scene's dimension, and a plane scene a plane mesh.
+   [out] reason - "" if so [len] */
 static void GmshCheckDimension_Private(const GmshMesh *mesh, PetscInt dim, char reason[], size_t len)
 {
   PetscInt  highest = 0;
@@ -67,7 +67,7 @@ static void GmshCheckDimension_Private(const GmshMesh *mesh, PetscInt dim, char 
     GmshCheckHeight(lower, upper, reason, len);
 }
 
-/* Whether all cells are of types that there are here. [out] reason - "" if so [len] */
+/* Whether all cells are of supported types. [out] reason - "" if so [len] */
 static void GmshCheckTypes_Private(const GmshMesh *mesh, PetscInt dim, char reason[], size_t len)
 {
   const GmshType *first = NULL;

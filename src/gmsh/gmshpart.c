@@ -15,7 +15,8 @@ typedef struct {
   PetscInt    *first;           /* element of each part [size+1] */
 } Scatter;
 
-/* Removes elements without a set, in place, and replaces the groups of the others by their set: first_group is its number.
+/* Removes elements without a set, in place, and replaces the groups of the others by their set: first_group
+   is its number.
    [in] set - as of GroupSetsCreate() */
 static void GmshKeep_Private(GmshMesh *mesh, const PetscInt set[])
 {
@@ -33,8 +34,9 @@ static void GmshKeep_Private(GmshMesh *mesh, const PetscInt set[])
   mesh->num_elements = num;
 }
 
-/* Sends each rank the numbers of its elements, or of its points. [in] offset - index of the first number of each element; NULL
-   if each has size numbers; [out] mine - on every rank [num] */
+/* Sends each rank the numbers of its elements, or of its points.
+   [in] offset - index of the first number of each element; NULL if each has size numbers; [out] mine - on
+   every rank [num] */
 static PetscErrorCode Scatter_Private(Scatter *s, MPI_Datatype type, const PetscInt offset[], PetscInt size,
                                       const void *all, PetscInt num, void *mine)
 {
@@ -139,7 +141,7 @@ static PetscErrorCode NamesBroadcast_Private(MPI_Comm comm, PetscMPIInt rank, Gm
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Of a file that the first rank has read. */
+/* Scatters a file that the first rank has read. */
 static PetscErrorCode GmshScatter_Private(MPI_Comm comm, PetscInt dim, GmshMesh *whole, GmshNames *names,
                                           GmshPart *part)
 {

@@ -9,7 +9,7 @@ typedef struct {
   PetscInt        dim, num_nodes;
   ElementType     cell;  /* ELEMENT_COUNT for those that are no cells here */
   const char     *name;  /* of several, for sentences */
-  const PetscInt *place; /* which of the cell's nodes each of Gmsh's is [num_nodes]; NULL where they are alike */
+  const PetscInt *place; /* node of the cell for each of Gmsh's [num_nodes]; NULL where the orders are the same */
 } GmshType;
 
 /* NULL for numbers of other types. Not collective. */

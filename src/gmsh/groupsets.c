@@ -2,7 +2,8 @@
 #include "gmsh/groupsets.h"
 #include "base/compat.h"
 
-/* Finds or appends a set. [in] guess - the set of the element before, which is tried first; [out] set - its number */
+/* Finds or appends a set.
+   [in] guess - the set of the element before, which is tried first; [out] set - its number */
 static PetscErrorCode GroupSetsFind_Private(GroupSets *sets, PetscInt num, const PetscInt number[], PetscInt guess,
                                             PetscInt *set)
 {

@@ -1,6 +1,7 @@
 /* hdf5mesh.c -- reads HDF5 meshes by hyperslabs: each rank reads its part only.
 
-   PETSc's own HDF5 meshes (DMPlexTopologyLoad()) have all edges and facets, and no middle nodes of curved cells. */
+   PETSc's own HDF5 meshes (DMPlexTopologyLoad()) have all edges and facets, and no middle nodes of curved
+   cells. */
 #include "gmsh/hdf5mesh.h"
 #include "base/compat.h"
 #include <hdf5.h>
@@ -114,11 +115,6 @@ static void RowsClose_Private(Rows *rows)
   rows->set = -1;
 }
 
-static hid_t IntegerType_Private(void)
-{
-  return sizeof(PetscInt) == sizeof(int) ? H5T_NATIVE_INT : H5T_NATIVE_INT64;
-}
-
 /* A list of integers, whole. [out] list - owned by the caller */
 static PetscErrorCode HDF5MeshReadList_Private(Reader *reader, const char name[], PetscInt *num, PetscInt **list)
 {
@@ -127,7 +123,7 @@ static PetscErrorCode HDF5MeshReadList_Private(Reader *reader, const char name[]
   PetscFunctionBeginUser;
   *num = rows.rows;
   PetscCall(PetscMalloc1(rows.rows, list));
-  HDF5MeshReadRows_Private(reader, &rows, IntegerType_Private(), 0, rows.rows, *list);
+  HDF5MeshReadRows_Private(reader, &rows, HDF5_MESH_INTEGER, 0, rows.rows, *list);
   RowsClose_Private(&rows);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -188,7 +184,8 @@ static PetscErrorCode HDF5MeshReadPoints_Private(Reader *reader, GmshPart *part)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Physical groups as the sets of the file, which elements refer to. [out] start - of the sets [num+1], owned by the caller */
+/* Physical groups as the sets of the file, which elements refer to.
+   [out] start - of the sets [num+1], owned by the caller */
 static PetscErrorCode HDF5MeshReadGroups_Private(Reader *reader, GmshMesh *mesh, PetscInt *num, PetscInt **start)
 {
   PetscInt rows;
@@ -204,7 +201,8 @@ static PetscErrorCode HDF5MeshReadGroups_Private(Reader *reader, GmshMesh *mesh,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The rows of all types that occur, which this rank reads. [out] num - elements, of each type [MAX_TYPE+1] and nodes in all */
+/* The rows of all types that occur, which this rank reads.
+   [out] num - elements, of each type [MAX_TYPE+1] and nodes in all */
 static void HDF5MeshCountRows_Private(Reader *reader, PetscInt num[], PetscInt *num_elements, PetscInt *num_nodes)
 {
   *num_elements = *num_nodes = 0;
@@ -259,7 +257,7 @@ static PetscErrorCode HDF5MeshReadType_Private(Reader *reader, PetscInt number, 
   PetscCall(PetscMalloc2(num * type->num_nodes, &nodes, num, &set));
   snprintf(name, sizeof(name), "elements/%d/nodes", (int)number);
   rows = HDF5MeshOpenRows_Private(reader, name, type->num_nodes);
-  HDF5MeshReadRows_Private(reader, &rows, IntegerType_Private(), begin, num, nodes);
+  HDF5MeshReadRows_Private(reader, &rows, HDF5_MESH_INTEGER, begin, num, nodes);
   RowsClose_Private(&rows);
   for (PetscInt i = 0; i < num && !reader->reason[0]; i++)
     HDF5MeshAddElement_Private(reader, type, &nodes[i * type->num_nodes], part->all_nodes, &part->mesh);
@@ -267,7 +265,7 @@ static PetscErrorCode HDF5MeshReadType_Private(Reader *reader, PetscInt number, 
   rows = HDF5MeshOpenRows_Private(reader, name, 1);
   if (rows.rows != all)
     HDF5MeshFail_Private(reader, "its /%s does not have a row for each of the %s", name, type->name);
-  HDF5MeshReadRows_Private(reader, &rows, IntegerType_Private(), begin, num, set);
+  HDF5MeshReadRows_Private(reader, &rows, HDF5_MESH_INTEGER, begin, num, set);
   RowsClose_Private(&rows);
   for (PetscInt i = 0; i < num && !reader->reason[0]; i++) {
     if (set[i] < 0 || set[i] >= num_sets) {
