@@ -37,8 +37,8 @@ static PetscErrorCode BodyFieldsWriteContact_Private(FieldWriter *writer, Fields
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Stress as a full 3 x 3 tensor: viewers name its nine components by themselves, while for six each has an order of
-   its own. */
+/* Stress as a full 3 x 3 tensor: viewers name its nine components by themselves, while for six each has an
+   order of its own. */
 static void BodyFieldsGetTensor_Private(const PetscReal stress[6], PetscReal tensor[9])
 {
   static const PetscInt voigt[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2}; /* xx,yy,zz,yz,xz,xy to rows of the tensor */
@@ -58,7 +58,8 @@ typedef struct {
   PetscInt *cell_nodes; /* numbers of points, cell after cell */
 } Points;
 
-/* Collective. [in] at - NULL where every node is one point; [out] points - to be freed by PointsDestroy_Private() */
+/* Collective.
+   [in] at - NULL where every node is one point; [out] points - to be freed by PointsDestroy_Private() */
 static PetscErrorCode PointsCreate_Private(Level *level, const NodeMaterials *at, Points *points)
 {
   PetscInt *first;
@@ -174,7 +175,7 @@ static PetscErrorCode BodyFieldsWriteTemperature_Private(FieldWriter *writer, Fi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where the error is. */
+/* The estimated error of each cell. */
 static PetscErrorCode BodyFieldsWriteEstimate_Private(FieldWriter *writer, Fields fields)
 {
   PetscReal *density;
@@ -186,7 +187,7 @@ static PetscErrorCode BodyFieldsWriteEstimate_Private(FieldWriter *writer, Field
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The bodies as they are meshed. [in] points - borrowed while the picture is open */
+/* The mesh of the bodies. [in] points - borrowed while the writer is open */
 static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, const Level *level, const Points *points)
 {
   PetscFunctionBeginUser;
@@ -200,14 +201,14 @@ static PetscErrorCode BodyFieldsWriteMesh_Private(FieldWriter *writer, const Lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 0 of cells in no region, else which of its body's. */
+/* 0 for cells in no region, else the number of the region within its body, from 1. */
 static PetscInt MaterialGetRegion_Private(Scene scene, PetscInt material)
 {
   if (material < scene->num_bodies) return 0;
   return 1 + material - SceneBodyFirstRegion(scene, SceneMaterialBody(scene, material));
 }
 
-/* The body of each cell, where bodies have regions the region, and where one is of several pieces the piece. */
+/* The body of each cell; its region where bodies have regions, its component where a body has several. */
 static PetscErrorCode BodyFieldsWriteCells_Private(FieldWriter *writer, VI vi)
 {
   const Components *pieces = &vi->rigid_modes.components;

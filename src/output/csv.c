@@ -1,10 +1,10 @@
 /* csv.c -- one nonmortar side as a table, ordered along the side.
 
-   A side is a set of facets. In 2D facets are directed (the body lies to the left), and so are the links from
-   node to node that they consist of: one for order 1, two for order 2. Each connected piece is a chain of
-   links: it starts at a node where no link ends, or anywhere if it is closed. Components start at the end
-   that comes first by coordinates, and come in that order, so that the table does not depend on the
-   partition. Arc length is that of the curved facets. */
+   A side is a set of facets. In 2D facets are directed, with the body on the left. A facet has one link from
+   node to node for order 1, two for order 2, directed likewise. Each component is a chain of links. It starts
+   at a node where no link ends, or anywhere if it is closed. An open chain starts at the end that is first by
+   coordinates, and chains are in this order: the table does not depend on the partition. Arc length is that
+   of the curved facets. */
 #include "output/fieldwriter.h"
 #include "result/frictionfields.h"
 #include "result/sidenodes.h"
@@ -30,9 +30,9 @@ typedef struct {
 
 enum {
   LENGTH_POINTS = 4
-}; /* Gauss points of the length of a link: exact to rounding unless it turns by a large angle */
+}; /* Gauss points of the length of a link: exact to roundoff unless it turns by a large angle */
 
-/* A piece of a side: rows begin..end-1 of the order. */
+/* A component of a side: rows begin..end-1 of the order. */
 typedef struct {
   PetscInt        begin, end;
   const SideNode *first;
@@ -115,7 +115,7 @@ static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Fa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Local node k of a line facet in the order in which one walks along it: ends are numbered first. */
+/* Local node k of a line facet in the order along it: ends are numbered first. */
 static PetscInt CSVNextNode_Private(PetscInt num_nodes, PetscInt k)
 {
   return k == 0 ? 0 : (k == num_nodes - 1 ? 1 : k + 1);
@@ -179,7 +179,7 @@ static PetscErrorCode CSVDestroyLinks_Private(SideLinks *links)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Walks along next[] from `start` until the end, or until it is back; returns the number of nodes. */
+/* Follows next[] from `start` to the end, or back to it; returns the number of nodes. */
 static PetscInt CSVFollowChain_Private(PetscInt start, PetscInt next[], PetscInt order[])
 {
   PetscInt n = 0, at = start;
@@ -188,13 +188,13 @@ static PetscInt CSVFollowChain_Private(PetscInt start, PetscInt next[], PetscInt
     const PetscInt after = next[at];
 
     order[n++] = at;
-    next[at]   = -1; /* gone over once */
+    next[at]   = -1; /* each link is used once */
     at         = after;
   } while (at >= 0 && at != start);
   return n;
 }
 
-/* The node of a closed chain that comes first by its place, whichever node of it was found. */
+/* The first node of a closed chain by position. */
 static PetscInt CSVFindFirstOfLoop_Private(PetscInt start, const PetscInt next[], const SideNode nodes[])
 {
   PetscInt first = start;
@@ -205,7 +205,8 @@ static PetscInt CSVFindFirstOfLoop_Private(PetscInt start, const PetscInt next[]
   return first;
 }
 
-/* Enters the chain from `start` as a piece; an open one is turned so that it starts at the end that comes first.
+/* Enters the chain from `start` as a piece; an open one is turned so that it starts at the end that comes
+   first.
    [in] step - length of the link that leaves each node [num_nodes] */
 static void CSVAddChain_Private(PetscInt start, PetscBool open, PetscInt next[], const PetscReal step[],
                                 SideNode nodes[], PetscInt order[], SidePiece *piece)
@@ -224,7 +225,8 @@ static void CSVAddChain_Private(PetscInt start, PetscBool open, PetscInt next[],
   piece->first = &nodes[rows[0]];
 }
 
-/* Orders nodes by chains; every node is in exactly one. [in,out] nodes - their arc lengths are entered [num_nodes];
+/* Orders nodes by chains; every node is in exactly one.
+   [in,out] nodes - their arc lengths are entered [num_nodes];
    [out] order - [num_nodes]; [out] pieces - [num_pieces] */
 static PetscErrorCode CSVOrderChains_Private(PetscInt num_nodes, SideNode nodes[], const SideLinks *links,
                                              PetscInt order[], PetscInt *num_pieces, SidePiece pieces[])
@@ -248,7 +250,7 @@ static PetscErrorCode CSVOrderChains_Private(PetscInt num_nodes, SideNode nodes[
     pieces[n].begin = n ? pieces[n - 1].end : 0;
     CSVAddChain_Private(i, PETSC_TRUE, next, step, nodes, order, &pieces[n++]);
   }
-  for (PetscInt i = 0; i < num_nodes; i++) { /* what is left are circles */
+  for (PetscInt i = 0; i < num_nodes; i++) { /* the rest are closed chains */
     if (next[i] < 0) continue;
     pieces[n].begin = n ? pieces[n - 1].end : 0;
     CSVAddChain_Private(CSVFindFirstOfLoop_Private(i, next, nodes), PETSC_FALSE, next, step, nodes, order,
@@ -272,7 +274,7 @@ static void CSVWriteRow_Private(FILE *out, PetscInt dim, const SideNode *node)
   fprintf(out, "%d,%.17g", (int)node->status, (double)node->force);
 }
 
-/* What friction adds to a row. */
+/* The columns of friction in a row. */
 static void CSVWriteFriction_Private(FILE *out, PetscInt dim, const SideNode *node)
 {
   for (PetscInt k = 0; k < dim; k++) fprintf(out, ",%.17g", (double)node->traction[k]);
@@ -327,7 +329,7 @@ PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const cha
     PetscCall(CSVOrderChains_Private(num_nodes, nodes, &links, order, &num_pieces, pieces));
     CSVWriteChains_Private(out, nodes, order, num_pieces, pieces, friction);
     PetscCall(PetscFree2(order, pieces));
-  } else if (out) { /* a surface has no natural order but that of its places */
+  } else if (out) { /* a surface is ordered by position */
     qsort(nodes, num_nodes, sizeof(*nodes), CSVComparePlace_Private);
     for (PetscInt i = 0; i < num_nodes; i++) {
       CSVWriteRow_Private(out, 3, &nodes[i]);

@@ -9,7 +9,7 @@
 
 enum { PART_TEXT = 48 };
 static const PetscReal PERCENT = 100;
-/* A larger relative error has no digits: without loads, roundoff is divided by roundoff. */
+/* A larger relative error is not printed as a number: without loads it is roundoff over roundoff. */
 static const PetscReal ANY_ERROR = 10;
 
 /* "0.717% of the solution" */

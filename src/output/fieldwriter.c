@@ -1,4 +1,4 @@
-/* fieldwriter.c -- points, cells and one quantity at a time, in the order of the file, to a format.
+/* fieldwriter.c -- points, cells and quantities, one at a time, in the order of the file, for all formats.
 
    Global nodes are numbered rank by rank. So each rank has one contiguous piece of each quantity of points,
    and one piece for each type of cell. */
@@ -33,7 +33,7 @@ PetscErrorCode FieldWriterClose(FieldWriter *writer)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows by type, of which each rank has so many. Collective. [in] mine - [ELEMENT_COUNT] */
+/* Numbers rows by type. Collective. [in] mine - rows of this rank [ELEMENT_COUNT] */
 static PetscErrorCode FieldRowsCreate_Private(MPI_Comm comm, const PetscInt mine[], FieldRows *rows)
 {
   PetscInt before[ELEMENT_COUNT] = {0}, all[ELEMENT_COUNT];
@@ -102,7 +102,7 @@ PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nodes of one cell in the order of viewers: that of element.h, but for the middles of facets of hex27. */
+/* Nodes of one cell in the order of viewers: that of element.h, except for the middles of facets of hex27. */
 static void FieldWriterGetVTKOrder_Private(ElementType type, const PetscInt nodes[], PetscInt ordered[])
 {
   /* left, right, front, back, below, above among below, above, front, right, back, left */

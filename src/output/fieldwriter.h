@@ -1,4 +1,4 @@
-/* fieldwriter.h -- fields for viewers, written one quantity at a time, by every rank what it holds.
+/* fieldwriter.h -- fields for viewers, written one quantity at a time; every rank writes its own part.
 
    FieldWriterOpen(); FieldWriterMesh(); FieldWriterPoints() and FieldWriterCells() for each quantity, points
    first; FieldWriterClose(). All are collective. The first error of a file is noted in `files`; after it
@@ -45,7 +45,7 @@ typedef struct {
   const char *topology;              /* its TopologyType in XDMF; static */
 } FieldGrid;
 
-/* A picture at several times: the times that its file holds. */
+/* Fields at several times: the times in the file. */
 typedef struct {
   PetscInt   num, capacity;
   PetscReal *t;      /* [num] */
@@ -55,11 +55,11 @@ typedef struct {
   PetscBool  solved; /* whether the last time is solved: a run can go on from there */
 } FieldSeries;
 
-/* A picture that is being written. */
+/* A file of fields that is being written. */
 typedef struct FieldWriter FieldWriter;
 
-/* A format: what it does with each part as it comes. All are collective, and have what this rank holds. end()
-   may write other files that belong to it. */
+/* A format: its functions for each part. All are collective; arguments are the part of this rank. end() may
+   write further files of the format. */
 typedef struct {
   const char *suffix;
   PetscBool   grows; /* whether a file takes further times of a series; else it has the last one */
@@ -82,7 +82,7 @@ struct FieldWriter {
   const char        *bodies; /* names, separated by commas, in the order of the cells' `body` */
   const char        *first;  /* the quantities that a viewer is to take first, as attributes of VTK's PointData */
   FileSet           *files;
-  FieldSeries       *series; /* NULL for a picture at one time */
+  FieldSeries       *series; /* NULL for fields at one time */
   FILE              *out;    /* NULL on other ranks, and when no file can be written */
   void              *data;   /* of the format */
   FieldRows          points, cells;
@@ -93,7 +93,8 @@ struct FieldWriter {
   Quantity           cell[FIELD_WRITER_MAX_CELL_QUANTITIES];
 };
 
-/* [in] picture - base, title, bodies, first and files, which stay the caller's while it is open */
+/* Collective.
+   [in] writer - with base, title, bodies, first and files, which stay the caller's while it is open */
 PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer);
 PetscErrorCode FieldWriterClose(FieldWriter *writer);
 
@@ -110,23 +111,26 @@ typedef struct {
 /* Numbers among all points of the first one of each local node. Collective.
    [in] start - points of owned nodes before each [num_owned+1]; [out] first - [num_nodes] */
 PetscErrorCode FieldWriterNumberPoints(Level *level, const PetscInt start[], PetscInt first[]);
-/* Points, in the order of the ranks, and cells. nodes stays the caller's while the picture is open. */
+/* Points, in the order of the ranks, and cells. nodes stays the caller's while the writer is open.
+   Collective. */
 PetscErrorCode FieldWriterMesh(FieldWriter *writer, const FieldMesh *part);
 
-/* A quantity of points, by this rank's nodes [][stride]; what a vector of the plane lacks is 0. */
+/* A quantity of points. Collective.
+   [in] mine - values of this rank's nodes [][stride]; the third component of plane vectors becomes 0 */
 PetscErrorCode FieldWriterPoints(FieldWriter *writer, Quantity quantity, PetscInt stride, const PetscReal mine[]);
-/* A quantity of points, by points, where a node is several [num_points][components]. */
+/* The same by points, where a node may be several. Collective.
+   [in] mine - values of this rank's points [num_points][components] */
 PetscErrorCode FieldWriterPointValues(FieldWriter *writer, Quantity quantity, const PetscReal mine[]);
-/* A number of each cell, by this rank's cells [num_cells]. */
+/* A number of each cell. Collective. [in] mine - of this rank's cells [num_cells] */
 PetscErrorCode FieldWriterCells(FieldWriter *writer, Quantity quantity, const PetscReal mine[]);
 
-/* The bodies with what happens to them, points in the order of global nodes. */
+/* All fields of the bodies, points in the order of global nodes. Collective. */
 PetscErrorCode BodyFieldsWrite(FieldWriter *writer, Fields fields);
-/* The bodies where they are, with the motion for which there is no solution. */
+/* The undeformed bodies, with the rigid motion that excludes a solution. Collective. */
 PetscErrorCode BodyFieldsWriteMotion(FieldWriter *writer, VI vi, const SceneMotion *motion);
-/* The bodies where they are, with the sides of a check. */
+/* The undeformed bodies, with the sides of a check. Collective. */
 PetscErrorCode BodyFieldsWriteSetup(FieldWriter *writer, VI vi, const SetupCheck *check);
-/* The nonmortar side of pair p with what happens on it, points in the order of global nodes. */
+/* All fields of the nonmortar side of pair p, points in the order of global nodes. Collective. */
 PetscErrorCode SurfaceFieldsWrite(FieldWriter *writer, Fields fields, PetscInt p);
 
 /* The nonmortar side of pair p as a table; collective. */

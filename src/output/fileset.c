@@ -12,7 +12,7 @@
 #include "base/interrupt.h"
 #include "base/compat.h"
 
-enum { FOLDER_MODE = 0777 }; /* what the user's umask leaves of it */
+enum { FOLDER_MODE = 0777 }; /* less the user's umask */
 
 static const char PART[] = ".part"; /* in the name of a temporary file, before the number of the process */
 
@@ -81,7 +81,8 @@ static void FileSetRemoveFolders_Private(const char path[], size_t first_made)
   }
 }
 
-/* The name a file has while it is written: beside the final one, so that renaming never crosses a file system. */
+/* The name a file has while it is written: beside the final one, so that renaming never crosses a file
+   system. */
 static PetscErrorCode FileSetGetTemporaryName_Private(const char final[], char **name)
 {
   const size_t len = strlen(final) + 32;
@@ -106,7 +107,7 @@ static PetscBool FileSetProcessExists_Private(long process)
     text[fread(text, 1, sizeof(text) - 1, file)] = '\0';
     (void)fclose(file);
   }
-  state = strrchr(text, ')'); // the name before may have anything in it
+  state = strrchr(text, ')'); // the name before it may contain anything
   if (state && strncmp(state, ") Z", 3) == 0) return PETSC_FALSE;
   return (PetscBool)(!kill((pid_t)process, 0) || errno != ESRCH);
 }
@@ -235,7 +236,7 @@ PetscErrorCode FileSetClose(FileSet *files, FILE **file)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Removes the file of a name; that there is none is as good. Folders cannot be removed, and so not be replaced. */
+/* Removes a file, if there is one. Folders cannot be removed, and so not be replaced. */
 static PetscErrorCode FileSetRemoveFile_Private(FileSet *files, const char path[])
 {
   PetscFunctionBeginUser;
@@ -243,8 +244,8 @@ static PetscErrorCode FileSetRemoveFile_Private(FileSet *files, const char path[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a name is that of a device, a pipe or a socket, or leads to one, or to a stream of a process: a
-   file that is renamed would take its place, and of /dev/null that of everybody's. */
+/* Whether a name is, or links to, a device, a pipe, a socket, or a stream of a process. Renaming a file would
+   replace it, even /dev/null of the whole machine. */
 static PetscBool FileSetIsSpecialFile_Private(const char path[])
 {
   static const char streams[] = "/proc/";
@@ -297,7 +298,7 @@ PetscErrorCode FileSetChangeInPlace(FileSet *files, const char path[], int (*com
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Those that were made, and those that were not. */
+/* Calls forget() of all changes, committed or not. */
 static PetscErrorCode FileSetForgetChanges_Private(FileSet *files)
 {
   PetscFunctionBeginUser;
@@ -340,7 +341,7 @@ PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Tries to make a file beside path; returns 0 or errno, and leaves nothing behind. */
+/* Tries to create a file beside path, and removes it; returns 0 or errno. */
 static int FileSetTryWrite_Private(const char path[], const char temporary[])
 {
   struct stat info;
@@ -375,7 +376,7 @@ PetscErrorCode FileSetCheck(MPI_Comm comm, const char option[], const char path[
     int error;
 
     PetscCall(FileSetGetTemporaryName_Private(path, &temporary));
-    InterruptHold(); // nothing of the attempt is left behind
+    InterruptHold(); // a signal must not leave the file of the attempt
     error = FileSetTryWrite_Private(path, temporary);
     InterruptRelease();
     if (!error && FileSetIsSpecialFile_Private(path)) {

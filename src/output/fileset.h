@@ -1,11 +1,11 @@
 /* fileset.h -- files that appear together under their final names, or not at all.
 
    Everything is written to temporary names in the same folders by the first rank, then renamed. The file that
-   was added last is the mark of completeness: its predecessor is removed before any other file is renamed,
-   and it is renamed as the last one. So files of different runs never stand beside such a mark, however the
-   program ends. Temporary files are removed when a signal or a failure ends the program (interrupt.h). After
-   kill -9 the next run that writes the same file removes them. Calls other than FileSetFinish() and
-   FileSetCheck() are not collective and belong to the first rank. */
+   was added last is the mark of completeness. Its predecessor is removed before any other file is renamed,
+   and it is renamed last. So such a mark never stands beside files of different runs, however the program
+   ends. Temporary files are removed when a signal or a failure ends the program (interrupt.h). After kill -9
+   the next run that writes the same file removes them. Calls other than FileSetFinish() and FileSetCheck()
+   are not collective and belong to the first rank. */
 #ifndef MORTISE_FILESET_H
 #define MORTISE_FILESET_H
 
@@ -39,15 +39,19 @@ PetscErrorCode FileSetRemove(FileSet *files, const char final[]);
    failed, and forget(ctx) in any case. */
 PetscErrorCode FileSetChangeInPlace(FileSet *files, const char path[], int (*commit)(void *), void (*forget)(void *),
                                     void *ctx);
-/* Notes that path cannot be written and why (errno), unless something failed before. path may be a temporary name. */
+/* Notes that path cannot be written and why (errno), unless something failed before. path may be a temporary
+   name. */
 PetscErrorCode FileSetFail(FileSet *files, const char path[], int error);
-/* Opens a temporary for text and closes it; a full disk shows at the latest when it is closed. NULL after a failure. */
+/* Opens a temporary for text and closes it; a full disk is noticed at the latest when it is closed. NULL
+   after a failure. */
 PetscErrorCode FileSetOpen(FileSet *files, const char final[], FILE **file);
 PetscErrorCode FileSetClose(FileSet *files, FILE **file);
-/* Renames all, or removes all after a failure, which becomes an error on all ranks. Collective; frees the lists. */
+/* Renames all, or removes all after a failure, which becomes an error on all ranks. Collective; frees the
+   lists. */
 PetscErrorCode FileSetFinish(MPI_Comm comm, FileSet *files);
 
-/* User error, with the option: path cannot be written. Tries to write, and removes the file again. Collective. */
+/* User error, with the option: path cannot be written. Tries to write, and removes the file again.
+   Collective. */
 PetscErrorCode FileSetCheck(MPI_Comm comm, const char option[], const char path[]);
 
 #endif

@@ -1,16 +1,16 @@
 /* hdf5file.c -- fields as contiguous datasets: the first rank makes them, and every rank writes its rows to
    their place in the file.
 
-   HDF5 1.10 survives no write that fails on a full disk, with MPI-IO as little as without, so its own
-   parallel driver is not used. Rows of a rank are one piece of a dataset, or one for each type of cell:
-   collective buffers would have nothing to put together.
+   HDF5 1.10 crashes after a failed write on a full disk, also with MPI-IO, so its own parallel driver is not
+   used. Rows of a rank are one piece of a dataset, or one for each type of cell: collective buffering would
+   gain nothing.
 
    /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file:
    title, names of bodies in the order of `body`, version, units, and a word on every dataset's order.
    Readable by h5py, MATLAB, h5dump without any library of ours.
 
-   Of a series the quantities of points stand in groups, /steps/0001 and so on, each with the attributes t,
-   its time, and solved, 1 or 0; those of the last one have their usual names as well. */
+   Of a series the quantities of points are in groups, /steps/0001 and so on, each with the attributes t, its
+   time, and solved, 1 or 0. Those of the last step have their usual names as well. */
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -26,13 +26,13 @@
 enum { PLACED = XDMF_STEP_NAME + 32 }; /* length of a dataset's name with its group */
 
 typedef struct {
-  Sink     *sink; /* of the first rank; of a file that grows it is kept until its changes are made */
-  hid_t     access, file;
-  PetscBool more; /* whether the file grows */
-  PetscBool good; /* false if HDF5 failed, only for lack of memory; failures of files are in sink */
-  char      path[PETSC_MAX_PATH_LEN + 64]; /* path of the file while it is written */
-  int       descriptor, error; /* of this rank: -1 before its first rows; errno of the first write that failed */
-  Topology  topology;
+  HDF5Driver *driver; /* of the first rank; of a file that grows it is kept until its changes are made */
+  hid_t       access, file;
+  PetscBool   more; /* whether the file grows */
+  PetscBool   good; /* false if HDF5 failed, only for lack of memory; failures of files are in driver */
+  char        path[PETSC_MAX_PATH_LEN + 64]; /* path of the file while it is written */
+  int         descriptor, error; /* of this rank: -1 before its first rows; errno of the first write that failed */
+  Topology    topology;
 } Image;
 
 /* A text attribute, of variable length so that h5py gives a str; false on failure. */
@@ -60,7 +60,7 @@ typedef struct {
   const void      *values; /* of this rank */
 } Dataset;
 
-/* Makes a dataset that has its bytes in the file. Returns where, or HADDR_UNDEF on failure. */
+/* Creates a contiguous dataset. Returns its address in the file, or HADDR_UNDEF on failure. */
 static haddr_t HDF5FileCreateDataset_Private(hid_t file, const Dataset *data)
 {
   const hsize_t shape[2] = {(hsize_t)data->rows->total, (hsize_t)data->columns};
@@ -109,7 +109,7 @@ static PetscErrorCode HDF5FileWriteDataset_Private(FieldWriter *writer, const Da
   PetscFunctionBeginUser;
   if (image->good && image->file >= 0) {
     at          = HDF5FileCreateDataset_Private(image->file, data);
-    image->good = (PetscBool)(at != HADDR_UNDEF && (!data->rows->total || at >= image->sink->size));
+    image->good = (PetscBool)(at != HADDR_UNDEF && (!data->rows->total || at >= image->driver->size));
     if (!image->good) at = HADDR_UNDEF;
   }
   PetscCallMPI(MPI_Bcast(&at, 1, MPI_UNSIGNED_LONG_LONG, 0, writer->comm));
@@ -135,7 +135,7 @@ static const char *HDF5FileGetUnit_Private(const char name[])
       {"slip", "of the nonmortar side against the mortar side, in this load step"},
       {"body", "index of the body, in the order of -bodies"},
       {"region", "0 in no region of the body, else which of -<body>_regions, from 1 on"},
-      {"piece", "what hangs together: counted over all bodies"}};
+      {"piece", "number of the connected component, over all bodies"}};
 
   if (strrchr(name, '/')) name = strrchr(name, '/') + 1; // of a step
   for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
@@ -204,9 +204,9 @@ static void HDF5FileOpen_Private(const FieldWriter *writer, Image *image)
   struct stat info;
 
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // without HDF5's own messages: failures are reported by this program
-  image->sink->file = fileno(writer->out);
-  if (image->more && !fstat(image->sink->file, &info)) image->sink->size = (haddr_t)info.st_size;
-  image->access = HDF5DriverCreate(image->sink);
+  image->driver->file = fileno(writer->out);
+  if (image->more && !fstat(image->driver->file, &info)) image->driver->size = (haddr_t)info.st_size;
+  image->access = HDF5DriverCreate(image->driver);
   if (image->more) {
     image->file = image->access < 0 ? -1 : H5Fopen(writer->base, H5F_ACC_RDWR, image->access);
     image->good = (PetscBool)(image->file >= 0);
@@ -232,7 +232,7 @@ static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
   image->descriptor = -1;
   image->more       = (PetscBool)(writer->series && writer->series->num > 1);
   if (writer->out) {
-    PetscCall(PetscNew(&image->sink));
+    PetscCall(PetscNew(&image->driver));
     HDF5FileOpen_Private(writer, image);
     if (image->more)
       snprintf(image->path, sizeof(image->path), "%s%s", writer->base, writer->format->suffix);
@@ -243,7 +243,7 @@ static PetscErrorCode HDF5FileBegin_Private(FieldWriter *writer)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the mesh is to be written: that of a series once, or where it is another one. */
+/* Whether the mesh is to be written: of a series the first one, and each different one. */
 static PetscBool HDF5FileTakesMesh_Private(const FieldWriter *writer)
 {
   const Image *image = (const Image *)writer->data;
@@ -260,7 +260,7 @@ static void HDF5FilePlace_Private(const FieldWriter *writer, PetscBool group, co
   snprintf(placed, PLACED, "%s%s", step, name);
 }
 
-/* Lets a name in the root mean a dataset of the last step. */
+/* Links a name in the root to a dataset of the last step. */
 static void HDF5FileLink_Private(Image *image, const char placed[], const char name[])
 {
   if (!image->good || image->file < 0) return;
@@ -269,8 +269,8 @@ static void HDF5FileLink_Private(Image *image, const char placed[], const char n
       (PetscBool)(image->good && H5Lcreate_hard(image->file, placed, image->file, name, H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
 
-/* Of a series into the last group, and under its own name in place of the step before. [in] group - whether a
-   series has it in groups */
+/* Writes a dataset: of a series into the last group, with a link in the root in place of that to the step
+   before. [in] group - whether a series has it in groups */
 static PetscErrorCode HDF5FileWritePlaced_Private(FieldWriter *writer, PetscBool group, const FieldRows *rows,
                                                   const Quantity *quantity, const PetscReal values[])
 {
@@ -343,13 +343,13 @@ static PetscErrorCode HDF5FileCell_Private(FieldWriter *writer, const Quantity *
 
 /* A file that has grown, until the change is made. */
 typedef struct {
-  Sink *sink;
-  FILE *out;
+  HDF5Driver *driver;
+  FILE       *out;
 } Growth;
 
 static int GrowthCommitFn(void *ctx)
 {
-  return HDF5DriverCommit(((Growth *)ctx)->sink);
+  return HDF5DriverCommit(((Growth *)ctx)->driver);
 }
 
 static void GrowthForgetFn(void *ctx)
@@ -357,8 +357,8 @@ static void GrowthForgetFn(void *ctx)
   Growth *growth = ctx;
 
   if (growth->out) (void)fclose(growth->out);
-  HDF5DriverForget(growth->sink);
-  (void)PetscFree(growth->sink);
+  HDF5DriverForget(growth->driver);
+  (void)PetscFree(growth->driver);
   (void)PetscFree(growth);
 }
 
@@ -371,21 +371,21 @@ static PetscErrorCode HDF5FileClose_Private(FieldWriter *writer, Image *image)
   PetscFunctionBeginUser;
   if (image->file >= 0 && H5Fclose(image->file) < 0) image->good = PETSC_FALSE;
   if (image->access >= 0) H5Pclose(image->access);
-  HDF5DriverDestroy(image->sink);
+  HDF5DriverDestroy(image->driver);
   PetscCall(PetscSNPrintf(path, sizeof(path), "%s%s", writer->base, writer->format->suffix));
-  if (!image->sink->error) image->sink->error = image->error;
-  PetscCheck(image->good || image->sink->error || image->more, PETSC_COMM_SELF, PETSC_ERR_MEM,
-             "No memory for the picture");
-  if (!image->good && !image->sink->error) image->sink->error = EIO; // another process has changed the file
-  if (image->sink->error) PetscCall(FileSetFail(writer->files, path, image->sink->error));
+  if (!image->driver->error) image->driver->error = image->error;
+  PetscCheck(image->good || image->driver->error || image->more, PETSC_COMM_SELF, PETSC_ERR_MEM,
+             "No memory for the file of fields");
+  if (!image->good && !image->driver->error) image->driver->error = EIO; // another process has changed the file
+  if (image->driver->error) PetscCall(FileSetFail(writer->files, path, image->driver->error));
   if (image->more) {
     PetscCall(PetscNew(&growth));
-    *growth     = (Growth){.sink = image->sink, .out = writer->out};
+    *growth     = (Growth){.driver = image->driver, .out = writer->out};
     writer->out = NULL;
     PetscCall(FileSetChangeInPlace(writer->files, path, GrowthCommitFn, GrowthForgetFn, growth));
   } else {
     PetscCall(FileSetClose(writer->files, &writer->out));
-    PetscCall(PetscFree(image->sink));
+    PetscCall(PetscFree(image->driver));
   }
   PetscCall(XDMFWrite(writer, &image->topology, path));
   PetscFunctionReturn(PETSC_SUCCESS);

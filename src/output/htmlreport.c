@@ -38,7 +38,7 @@ static void HTMLReportFindCompanion_Private(char path[], size_t len)
   snprintf(path, len, "%s", COMPANION);
 }
 
-/* Reads to the end of a pipe and keeps what comes last, where a trace has its reason, without the blanks at its end. */
+/* Reads a pipe to its end and keeps the last part, where a trace has its reason, without final blanks. */
 static void HTMLReportReadPipe_Private(int pipe_end, char said[], size_t len)
 {
   char    rest[SAID_LENGTH];
@@ -57,7 +57,8 @@ static void HTMLReportReadPipe_Private(int pipe_end, char said[], size_t len)
   said[kept] = '\0';
 }
 
-/* Runs the companion to its end on one argument. Returns 0 or errno of its start; [out] said - what it printed,
+/* Runs the companion to its end on one argument. Returns 0 or errno of its start;
+   [out] said - what it printed,
    [out] status - as of waitpid() */
 static int HTMLReportRunCompanion_Private(char argument[], char said[], size_t len, int *status)
 {

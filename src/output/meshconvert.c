@@ -1,5 +1,5 @@
-/* meshconvert.c -- writes the layout of hdf5mesh.h. Cells and the facets in physical groups are kept: nothing else of a
-   Gmsh file has a meaning for a scene. */
+/* meshconvert.c -- writes the layout of hdf5mesh.h: cells, and the facets in physical groups. A scene uses
+   nothing else of a Gmsh file. */
 #include <hdf5.h>
 #include <string.h>
 #include <unistd.h>
@@ -22,12 +22,8 @@ typedef struct {
   GroupSets       sets;
 } Converter;
 
-static hid_t IntegerType_Private(void)
-{
-  return sizeof(PetscInt) == sizeof(int) ? H5T_NATIVE_INT : H5T_NATIVE_INT64;
-}
-
-/* A dataset of [rows][columns], or [rows] for one column; its values follow, or are given. Returns it, negative on failure. */
+/* A dataset of [rows][columns], or [rows] for one column; its values follow, or are given. Returns it,
+   negative on failure. */
 static hid_t ConverterCreateRows_Private(Converter *c, const char name[], hid_t type, PetscInt rows, PetscInt columns)
 {
   const hsize_t shape[2] = {(hsize_t)rows, (hsize_t)columns};
@@ -65,7 +61,7 @@ static void ConverterAppendRows_Private(Converter *c, hid_t set, PetscInt begin,
   space  = H5Dget_space(set);
   memory = H5Screate_simple(H5Sget_simple_extent_ndims(space), count, NULL);
   if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
-      H5Dwrite(set, IntegerType_Private(), memory, space, H5P_DEFAULT, values) < 0)
+      H5Dwrite(set, HDF5_MESH_INTEGER, memory, space, H5P_DEFAULT, values) < 0)
     c->good = PETSC_FALSE;
   H5Sclose(memory);
   H5Sclose(space);
@@ -117,8 +113,8 @@ static PetscErrorCode ConverterWriteNames_Private(Converter *c, const GmshNames 
   H5Tset_size(type, HDF5_MESH_NAME);
   H5Tset_cset(type, H5T_CSET_UTF8);
   ConverterWriteRows_Private(c, "names/name", type, type, names->num, text);
-  ConverterWriteRows_Private(c, "names/dimension", IntegerType_Private(), H5T_STD_I32LE, names->num, names->dim);
-  ConverterWriteRows_Private(c, "names/number", IntegerType_Private(), H5T_STD_I32LE, names->num, names->tag);
+  ConverterWriteRows_Private(c, "names/dimension", HDF5_MESH_INTEGER, H5T_STD_I32LE, names->num, names->dim);
+  ConverterWriteRows_Private(c, "names/number", HDF5_MESH_INTEGER, H5T_STD_I32LE, names->num, names->tag);
   H5Tclose(type);
   PetscCall(PetscFree(text));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -143,8 +139,8 @@ static PetscErrorCode ConverterWrite_Private(Converter *c, const GmshNames *name
   ConverterWriteAttribute_Private(c, "dimension", (int)c->dim);
   ConverterWriteRows_Private(c, "points", H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, c->mesh->num_nodes, c->mesh->coords);
   for (PetscInt t = 1; t <= MAX_TYPE; t++) PetscCall(ConverterWriteType_Private(c, t));
-  ConverterWriteRows_Private(c, "groups/start", IntegerType_Private(), H5T_STD_I32LE, c->sets.num + 1, c->sets.start);
-  ConverterWriteRows_Private(c, "groups/number", IntegerType_Private(), H5T_STD_I32LE, c->sets.start[c->sets.num],
+  ConverterWriteRows_Private(c, "groups/start", HDF5_MESH_INTEGER, H5T_STD_I32LE, c->sets.num + 1, c->sets.start);
+  ConverterWriteRows_Private(c, "groups/number", HDF5_MESH_INTEGER, H5T_STD_I32LE, c->sets.start[c->sets.num],
                              c->sets.number);
   PetscCall(ConverterWriteNames_Private(c, names));
   PetscCall(PetscFree(c->set));
@@ -152,27 +148,27 @@ static PetscErrorCode ConverterWrite_Private(Converter *c, const GmshNames *name
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A file of HDF5 in a temporary one, since HDF5 survives no full disk (hdf5driver.h). */
+/* Writes by the driver of hdf5driver.h, since HDF5 crashes on a full disk. */
 static PetscErrorCode ConverterWriteFile_Private(Converter *c, const GmshNames *names, const char to[], FileSet *files)
 {
-  Sink  sink = {.file = -1};
-  FILE *out;
-  hid_t access;
+  HDF5Driver driver = {.file = -1};
+  FILE      *out;
+  hid_t      access;
 
   PetscFunctionBeginUser;
   PetscCall(FileSetOpen(files, to, &out));
   if (!out) PetscFunctionReturn(PETSC_SUCCESS);
-  sink.file = fileno(out);
+  driver.file = fileno(out);
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions
-  access  = HDF5DriverCreate(&sink);
+  access  = HDF5DriverCreate(&driver);
   c->file = access < 0 ? -1 : H5Fcreate(to, H5F_ACC_TRUNC, H5P_DEFAULT, access);
   c->good = (PetscBool)(c->file >= 0);
   PetscCall(ConverterWrite_Private(c, names));
   if (c->file >= 0 && H5Fclose(c->file) < 0) c->good = PETSC_FALSE;
   if (access >= 0) H5Pclose(access);
-  HDF5DriverDestroy(&sink);
-  PetscCheck(c->good || sink.error, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for %s", to);
-  if (sink.error) PetscCall(FileSetFail(files, to, sink.error));
+  HDF5DriverDestroy(&driver);
+  PetscCheck(c->good || driver.error, PETSC_COMM_SELF, PETSC_ERR_MEM, "No memory for %s", to);
+  if (driver.error) PetscCall(FileSetFail(files, to, driver.error));
   PetscCall(FileSetClose(files, &out));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -218,7 +214,7 @@ static void ConvertCheckNames_Private(const char from[], const char to[], char s
              to);
 }
 
-/* What the first rank does. [out] sentence - "" unless there is a mistake [SENTENCE] */
+/* Converts on the first rank. [out] sentence - "" unless there is a mistake [SENTENCE] */
 static PetscErrorCode ConvertFile_Private(const char from[], const char to[], FileSet *files, char sentence[])
 {
   char      reason[SENTENCE / 2] = "";

@@ -5,7 +5,8 @@
 #include "output/bodycounts.h"
 #include "result/solvabilityreport.h"
 
-/* An edge is straight if its middle is off by no more than this part of its length: files have some ten digits. */
+/* An edge is straight if its middle is off by no more than this part of its length: files have some ten
+   digits. */
 static const PetscReal STRAIGHT_EDGE = 1e-9;
 
 static PetscErrorCode MeshViewPrintBodies_Private(VI vi)
@@ -43,7 +44,7 @@ static PetscErrorCode MeshViewPrintBodies_Private(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How bodies take their changes of volume, and why. */
+/* Bodies with a projected dilatation, and the reason. */
 static PetscErrorCode MeshViewPrintDilatation_Private(VI vi)
 {
   static const char *const words[DILATATION_LOCKS] = {[DILATATION_MEAN] = "mean", [DILATATION_LINEAR] = "linear"};

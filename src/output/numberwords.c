@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "output/numberwords.h"
 
-/* Components below this part of a size are rounding, and are shown as 0. */
+/* Components below this part of a size are roundoff, and are shown as 0. */
 static const PetscReal ROUNDING = 1e-12;
 
 PetscErrorCode NumberWordsVectorBeside(PetscInt dim, const PetscReal v[], PetscReal size, char text[], size_t len)

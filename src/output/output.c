@@ -14,9 +14,9 @@ struct _n_Output {
 };
 
 struct _n_OutputSeries {
-  PetscInt     num;     /* pictures: of the bodies, of each pair */
-  FieldSeries *picture; /* [num] */
-  const Level *level;   /* of the last step; borrowed, to be compared */
+  PetscInt     num;   /* files of fields: of the bodies, of each pair */
+  FieldSeries *file;  /* [num] */
+  const Level *level; /* of the last step; borrowed, to be compared */
 };
 
 /* Path of one file of the scene's output; pair may be NULL. */
@@ -59,8 +59,8 @@ PetscErrorCode OutputCheck(Scene scene)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Content of a picture: fields of a pair or (pair < 0) of all bodies; without fields the motion of bodies, or
-   their sides. */
+/* Content of a file of fields: fields of a pair or (pair < 0) of all bodies; without fields the motion of
+   bodies, or their sides. */
 typedef struct {
   VI                 vi;
   Fields             fields;
@@ -98,8 +98,8 @@ static PetscErrorCode OutputJoinBodies_Private(Scene scene, char **names)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A picture in the formats the scene wants. Collective.
-   [in] first - the quantities that a viewer is to take first, as attributes of VTK's PointData */
+/* Adds files of fields in the formats of the scene. Collective.
+   [in] first - the quantities that a viewer shows first, as attributes of VTK's PointData */
 static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, const char first[])
 {
   static const struct {
@@ -118,7 +118,7 @@ static PetscErrorCode OutputAddFormats_Private(Output output, const Told *told, 
       FieldWriter writer = {
           .base = path, .title = pair ? pair : scene->title, .bodies = bodies, .first = first, .files = &output->files};
 
-      if (told->series) writer.series = &told->series->picture[told->pair + 1];
+      if (told->series) writer.series = &told->series->file[told->pair + 1];
 
       PetscCall(OutputGetPath_Private(scene, pair, "", path));
       PetscCall(FieldWriterOpen(output->comm, formats[i].format, &writer));
@@ -179,7 +179,7 @@ PetscErrorCode OutputSeriesCreate(Scene scene, OutputSeries *series)
   PetscFunctionBeginUser;
   PetscCall(PetscNew(series));
   (*series)->num = 1 + scene->num_pairs;
-  PetscCall(PetscCalloc1((*series)->num, &(*series)->picture));
+  PetscCall(PetscCalloc1((*series)->num, &(*series)->file));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -187,10 +187,10 @@ PetscErrorCode OutputSeriesDestroy(OutputSeries *series)
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < (*series)->num; i++) {
-    PetscCall(PetscFree((*series)->picture[i].t));
-    PetscCall(PetscFree((*series)->picture[i].grid));
+    PetscCall(PetscFree((*series)->file[i].t));
+    PetscCall(PetscFree((*series)->file[i].grid));
   }
-  PetscCall(PetscFree((*series)->picture));
+  PetscCall(PetscFree((*series)->file));
   PetscCall(PetscFree(*series));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -199,20 +199,20 @@ PetscErrorCode OutputAddStep(Output output, OutputSeries series, Fields fields, 
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < series->num; i++) {
-    FieldSeries *picture = &series->picture[i];
+    FieldSeries *file = &series->file[i];
 
-    if (picture->num == picture->capacity) {
-      picture->capacity = 2 * picture->capacity + 16;
-      PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->t), &picture->t));
-      PetscCall(PetscRealloc(picture->capacity * sizeof(*picture->grid), &picture->grid));
+    if (file->num == file->capacity) {
+      file->capacity = 2 * file->capacity + 16;
+      PetscCall(PetscRealloc(file->capacity * sizeof(*file->t), &file->t));
+      PetscCall(PetscRealloc(file->capacity * sizeof(*file->grid), &file->grid));
     }
-    picture->solved             = solved;
-    picture->varies             = fields->vi->scene->adapt.on;
-    picture->fresh              = (PetscBool)(fields->vi->level != series->level);
-    picture->t[picture->num]    = fields->vi->scene->time;
-    picture->grid[picture->num] = picture->fresh ? (FieldGrid){0} : picture->grid[picture->num - 1];
-    if (picture->fresh) picture->grid[picture->num].step = picture->varies ? picture->num : -1;
-    picture->num++;
+    file->solved          = solved;
+    file->varies          = fields->vi->scene->adapt.on;
+    file->fresh           = (PetscBool)(fields->vi->level != series->level);
+    file->t[file->num]    = fields->vi->scene->time;
+    file->grid[file->num] = file->fresh ? (FieldGrid){0} : file->grid[file->num - 1];
+    if (file->fresh) file->grid[file->num].step = file->varies ? file->num : -1;
+    file->num++;
   }
   series->level = fields->vi->level;
   PetscCall(OutputAddFields_Private(output, series, fields));

@@ -1,4 +1,5 @@
-/* pathtable.c -- displacement and stress along straight lines, as a table; each point is evaluated as a probe is. */
+/* pathtable.c -- displacement and stress along straight lines, as a table; each point is evaluated as a probe
+   is. */
 #include "output/pathtable.h"
 #include "kernel/material.h"
 #include "result/probes.h"

@@ -8,7 +8,8 @@
 #include "output/restartfile.h"
 #include "output/xdmf.h"
 
-/* Places nearer than this part of the extent of all bodies are the same: maps and refinements leave roundoff. */
+/* Places nearer than this part of the extent of all bodies are the same: maps and refinements leave
+   roundoff. */
 static const PetscReal SAME_POINT = 1e-10;
 
 enum { GROUP_NAME = 64, WHY_LENGTH = PETSC_MAX_PATH_LEN + 512, CHUNK = 1 << 15 };
@@ -18,7 +19,7 @@ typedef struct {
   PetscInt   all, num;       /* points of the file; those that are kept */
   PetscInt  *number;         /* in the file, ascending [num] */
   PetscReal *points, *moved; /* [num][3] */
-  int       *body;           /* -1 until a cell tells [num] */
+  int       *body;           /* -1 until found by a cell [num] */
   PetscReal  t;
 } Past;
 
@@ -136,8 +137,8 @@ static PetscErrorCode PastReadPoints_Private(const Array *points, const Array *m
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The whole cells at the begin of some rows of the list. Points among them take their bodies; body NULL:
-   counts only. Returns cells, -1 for a list that is none; [out] used - rows */
+/* Reads the complete cells at the begin of some rows of the list, and sets the bodies of their points; body
+   NULL: counts only. Returns the number of cells, -1 for an invalid list. [out] used - rows */
 static PetscInt PastTakeCells_Private(const int list[], PetscInt rows, PetscInt columns, const int body[], Past *past,
                                       PetscInt *used)
 {
@@ -162,7 +163,7 @@ static PetscInt PastTakeCells_Private(const int list[], PetscInt rows, PetscInt 
   return cells;
 }
 
-/* The body of each point, from those of the cells. [out] good - whether the file has all that */
+/* The body of each point, from those of the cells. [out] good - whether the file has these data */
 static PetscErrorCode PastReadBodies_Private(const Array *cells, const Array *bodies, Past *past, PetscBool *good)
 {
   const PetscInt rows = (PetscInt)cells->shape[0], columns = PetscMin((PetscInt)cells->shape[1], ELEMENT_MAX_NODES);
@@ -188,7 +189,8 @@ static PetscErrorCode PastReadBodies_Private(const Array *cells, const Array *bo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The arrays of an open file. [in] box - of places that are kept [2][3]; [out] why - what is wrong with it, or "" */
+/* The arrays of an open file.
+   [in] box - of places that are kept [2][3]; [out] why - the fault of the file, or "" */
 static PetscErrorCode PastReadFile_Private(hid_t file, const PetscReal box[], Past *past, char why[])
 {
   char      group[GROUP_NAME], name[2 * GROUP_NAME];
@@ -217,8 +219,8 @@ static PetscErrorCode PastReadFile_Private(hid_t file, const PetscReal box[], Pa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Each rank reads the file in chunks, and keeps what is near its nodes. Collective. Raises user errors. [in]
-   box - [2][3] */
+/* Each rank reads the file in chunks, and keeps the points near its nodes. Collective. Raises user errors.
+   [in] box - [2][3] */
 static PetscErrorCode PastCreate_Private(MPI_Comm comm, const char path[], const PetscReal box[], Past *past)
 {
   char  why[WHY_LENGTH] = "", sentence[2 * WHY_LENGTH] = "";
@@ -226,7 +228,7 @@ static PetscErrorCode PastCreate_Private(MPI_Comm comm, const char path[], const
 
   PetscFunctionBeginUser;
   *past = (Past){.num = 0};
-  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // its lists of functions; what can fail here is told by us
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // no stack of functions: failures here have messages of this program
   file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file < 0)
     PetscCall(PetscStrncpy(why, "cannot be read as an HDF5 file", sizeof(why)));
@@ -248,7 +250,8 @@ static PetscErrorCode PastDestroy_Private(Past *past)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The box around the nodes of this rank. Collective. [out] box - [2][3]; width - within which places are the same */
+/* The box around the nodes of this rank. Collective.
+   [out] box - [2][3]; width - within which places are the same */
 static PetscErrorCode PastGetBox_Private(const Level *level, PetscReal box[], PetscReal *width)
 {
   PetscReal all[6];

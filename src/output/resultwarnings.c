@@ -14,13 +14,14 @@
 
 /* A solver that stops at a discretisation error above this part of the solution gives useless numbers. */
 static const PetscReal COARSE = 0.1;
-/* An initial overlap above this part of the displacements is an interference. The deviation of facets from their curves
-   matters above this part of the overlap. */
+/* An initial overlap above this part of the displacements is an interference. The deviation of facets from
+   their curves matters above this part of the overlap. */
 static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
-/* The pressure where a partner ends matters if it is above the largest pressure elsewhere by more than this part. */
+/* The pressure where a partner ends matters if it is above the largest pressure elsewhere by more than this
+   part. */
 static const PetscReal EDGE_SHOWS = 0.1;
-/* A tie across a gap acts as rigid links, intended between shells, else a sign of a body in the wrong position. Longest
-   links without a warning, as a part of the extent of the tied side. */
+/* A tie across a gap acts as rigid links, intended between shells, else a sign of a body in the wrong
+   position. Longest links without a warning, as a part of the extent of the tied side. */
 static const PetscReal TIED_FAR = 0.05;
 /* Gaps and overlaps below this part of the reach are rounding of positions. */
 static const PetscReal ROUNDING = 1e-12;
@@ -84,7 +85,8 @@ static PetscErrorCode SummaryWarnGapDiscontinuity_Private(const SummaryInput *in
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of a largest pressure at a node whose facets the partner covers in part: there it may be unbounded. Collective. */
+/* Warns of a largest pressure at a node whose facets the partner covers in part: there it may be unbounded.
+   Collective. */
 static PetscErrorCode SummaryWarnEdgePressure_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec = in->vi->pairs[p]->spec;
@@ -110,8 +112,9 @@ static PetscErrorCode SummaryWarnEdgePressure_Private(const SummaryInput *in, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of contact a few facets wide. Collective. [out] told - whether there is such; [out] round - whether its sides are
-   smooth: then the gap jumps or bends only because facets are large */
+/* Warns of contact a few facets wide. Collective.
+   [out] told - whether there is such; [out] round - whether its sides are smooth: then the gap jumps or bends
+   only because facets are large */
 static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, PetscInt p, PetscBool *told,
                                                        PetscBool *round)
 {
@@ -146,7 +149,8 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest initial overlap at the nodes of a pair, and the largest displacement of these nodes along their normals. Collective.
+/* The largest initial overlap at the nodes of a pair, and the largest displacement of these nodes along their
+   normals. Collective.
    [out] size - these two lengths, the same on all ranks */
 static PetscErrorCode SummaryFindOverlap_Private(const SummaryInput *in, PetscInt p, PetscReal size[2])
 {
@@ -192,7 +196,8 @@ static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of lost friction, where a support fixes the nonmortar side along a mortar side that is free. Collective. */
+/* Warns of lost friction, where a support fixes the nonmortar side along a mortar side that is free.
+   Collective. */
 static PetscErrorCode SummaryWarnHeldFriction_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec = in->vi->pairs[p]->spec;
@@ -310,7 +315,8 @@ static PetscBool SummaryVariesInSpace_Private(Expression value)
   return PETSC_FALSE;
 }
 
-/* Warns of uniform loads on a side of a pair: they act under the partner as well, which is rarely intended. */
+/* Warns of uniform loads on a side of a pair: they act under the partner as well, which is rarely
+   intended. */
 static PetscErrorCode SummaryWarnLoadedSide_Private(const SummaryInput *in, PetscInt p)
 {
   const ScenePair *spec    = in->vi->pairs[p]->spec;
@@ -354,8 +360,8 @@ static PetscErrorCode SummaryIsAtRest_Private(const SummaryInput *in, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of a partner that overlaps a facet between its nodes and touches no node. Collective. [out] hidden - whether there
-   is such a pair */
+/* Warns of a partner that overlaps a facet between its nodes and touches no node. Collective.
+   [out] hidden - whether there is such a pair */
 static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBool *hidden)
 {
   Estimate estimate;
@@ -386,7 +392,8 @@ static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBoo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of a scene without loads, or of a pair without contact; of load steps, at the last one. Collective. */
+/* Warns of a scene without loads, or of a pair without contact; of load steps, at the last one.
+   Collective. */
 static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
 {
   const SceneSteps *steps = &in->scene->steps;

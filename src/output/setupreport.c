@@ -258,7 +258,7 @@ PetscErrorCode SetupReportPrint(VI vi, Solvability solvability, const SetupCheck
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- the summary -------------------------------------------------------------------------------------------------- */
+/* --- the summary ---------------------------------------------------------------------------------------- */
 
 static void SetupReportAddExtreme_Private(cJSON *object, const char key[], PetscInt dim, const SetupExtreme *extreme)
 {

@@ -6,15 +6,17 @@
 #include "output/numberwords.h"
 #include "output/setupwarnings.h"
 
-/* Moduli and body forces of two bodies in contact differ by less than this factor, or their units differ. Steel on soft rubber: 2e5. Pa and
-   MPa: 1e6; N/m^3 and N/mm^3: 1e9. */
+/* If moduli or body forces of two bodies in contact differ by this factor, their units probably differ. Steel
+   on soft rubber: 2e5. Pa and MPa: 1e6; N/m^3 and N/mm^3: 1e9. */
 static const PetscReal MIXED_UNITS = 1.01e5;
 /* Coefficients of friction are below it: rubber reaches 2. Angles and percentages are above. */
 static const PetscReal LARGEST_FRICTION = 3;
-/* A floating body that closes a gap wider than this many times its diagonal, and that is not carried by a given displacement. */
+/* FAR: a floating body warns if it closes a gap wider than this multiple of its diagonal. CARRIED: unless a
+   given displacement carries it. */
 static const PetscReal FAR = 1, CARRIED = 2;
 
-/* Warns if two positive numbers of the bodies of a pair differ by a large factor. [in] sizes - of nonmortar and mortar body */
+/* Warns if two positive numbers of the bodies of a pair differ by a large factor.
+   [in] sizes - of nonmortar and mortar body */
 static PetscErrorCode SetupWarningsCompare_Private(Scene scene, const ScenePair *spec, const char words[],
                                                    const char advice[], const PetscReal sizes[2])
 {
@@ -90,7 +92,8 @@ static PetscErrorCode SetupWarningsGetGivenGap_Private(const ScenePair *spec, Ex
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Constant gaps that a rigid motion of floating bodies changes to zero: they move bodies, and strain nothing. Collective. */
+/* Constant gaps that a rigid motion of floating bodies changes to zero: they move bodies without strain.
+   Collective. */
 static PetscErrorCode SetupWarningsFindIdleGaps_Private(VI vi, Solvability s)
 {
   PetscReal *gaps;

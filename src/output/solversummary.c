@@ -36,7 +36,7 @@ static void SolverSummaryAddBound_Private(const SummaryInput *in, cJSON *solver)
     cJSON_AddNullToObject(object, "kind");
 }
 
-/* What the solver stopped at; null where that is its own residual. */
+/* The discretisation error at which the solver stopped; null where it stopped at its residual. */
 static void SolverSummaryAddDiscretisation_Private(const SummaryInput *in, cJSON *solver)
 {
   const PetscReal error = in->report->discretisation;
@@ -67,7 +67,7 @@ static void SolverSummaryAddReference_Private(const SolverReport *report, cJSON 
   JSONAddReal(object, "contact_ratio", reference->seconds > 0 ? report->seconds / reference->seconds : NAN);
 }
 
-/* Friction: uniqueness, and what is left of its law; null without it. */
+/* Friction: uniqueness, and the residual of its law; null without it. */
 static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solver)
 {
   const FrictionReport   *report   = &in->report->friction;

@@ -1,12 +1,12 @@
 /* staleplots.c -- removal of plots of an earlier run.
 
-   They write their name near the beginning of a file, so that a picture of the same name that is not theirs
-   is left alone. */
+   Programs write their name near the beginning of a file: a file of the same name by another program is
+   kept. */
 #include <string.h>
 #include "base/compat.h"
 #include "output/staleplots.h"
 
-enum { BEGINNING = 4096 }; /* bytes, more than what stands before the name */
+enum { BEGINNING = 4096 }; /* bytes, more than precede the name */
 
 /* Whether the word stands in the first bytes of a file, which may hold any bytes. */
 static PetscBool StalePlotsFileContains_Private(const char path[], const char word[])

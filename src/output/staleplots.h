@@ -4,9 +4,8 @@
 
 #include "output/fileset.h"
 
-/* Will remove <output>.png, <output>_study.svg, <output>_steps.png and <output>.html when the files appear,
-   if mortise-plot and mortise-report made them: beside a new result they would show another one. First rank
-   only. */
+/* Will remove <output>.png, <output>_study.svg, <output>_steps.png and <output>.html of mortise-plot and
+   mortise-report when the files appear: they show an earlier result. First rank only. */
 PetscErrorCode StalePlotsRemove(FileSet *files, const char output[]);
 
 #endif

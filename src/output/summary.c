@@ -1,5 +1,5 @@
-/* summary.c -- the JSON summary. Every scene has all keys of the interface. A value that could not be computed is
-   null. */
+/* summary.c -- the JSON summary. Every scene has all keys of the interface. A value that could not be
+   computed is null. */
 #include <string.h>
 #include "output/summary.h"
 #include "base/json.h"
@@ -23,7 +23,7 @@
 #include "result/solvabilityreport.h"
 #include "result/validity.h"
 
-enum { SCHEMA = 2 }; /* of the summary: what keys mean; new keys do not change it */
+enum { SCHEMA = 2 }; /* version of the meaning of keys; new keys do not change it */
 
 static const char *SummaryStatus_Private(const SummaryInput *in)
 {
@@ -370,7 +370,7 @@ static void SummaryAddBodyError_Private(cJSON *object, const BodyError *error)
   JSONAddReal(object, "energy_relative", error->energy_relative);
 }
 
-/* Errors of what has an exact solution. */
+/* Errors of bodies and pairs with an exact solution. */
 static void SummaryAddErrors_Private(const SummaryInput *in, cJSON *root)
 {
   cJSON *errors;
@@ -395,7 +395,8 @@ static void SummaryAddErrors_Private(const SummaryInput *in, cJSON *root)
   SummaryAddBodyError_Private(cJSON_AddObjectToObject(root, "errors_total"), &in->errors->total);
 }
 
-/* Seconds of the slowest rank in each stage; peak memory of all ranks together, and of the one that held most. */
+/* Seconds of the slowest rank in each stage; peak memory of all ranks together, and of the one that held
+   most. */
 static PetscErrorCode SummaryAddCost_Private(const SummaryInput *in, cJSON *root)
 {
   static const char *const names[STAGE_COUNT] = {"setup", "mortar", "assembly", "condense", "solve", "output"};

@@ -25,9 +25,9 @@ typedef struct {
   const Certificate   *certificate;
   const Errors        *errors;
   Vec                  reactions;
-  PetscBool            passing;  /* another load step follows: an estimated error that nothing else needs is null */
-  PetscBool            solved;   /* converged, certified, and not contradicted by a second solver */
-  const EnergyBalance *balance;  /* of a load step with friction, else NULL */
+  PetscBool            passing; /* another load step follows: the estimated error is null where nothing else needs it */
+  PetscBool            solved;  /* converged, certified, and not contradicted by a second solver */
+  const EnergyBalance *balance; /* of a load step with friction, else NULL */
   const cJSON         *estimate; /* the error and the meshes it was found on, or NULL where there was one mesh */
   const cJSON         *bars;     /* half widths, by the keys of the numbers, or NULL */
   const cJSON         *steps;    /* an array of SummaryCreateStep(), or NULL without load steps */
@@ -47,7 +47,8 @@ PetscErrorCode SummaryCreateStep(const SummaryInput *input, cJSON **row);
    Prints the lines for the terminal: verdict, forces, certificate, files; after a failure the reason, on
    stderr. Collective; *output = NULL. */
 PetscErrorCode SummaryWrite(const SummaryInput *input, Output *output);
-/* Prints those lines, of a summary that is written already. Collective. [in] quiet - only why it is not solved */
+/* Prints those lines, of a summary that is written already. Collective.
+   [in] quiet - only why it is not solved */
 PetscErrorCode SummaryPrintEnd(const SummaryInput *input, PetscBool quiet);
 /* Prints those lines: why there is no solution, too, on stderr. Collective. */
 PetscErrorCode SummaryPrint(const SummaryInput *input);

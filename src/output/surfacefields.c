@@ -4,7 +4,8 @@
 #include "output/fieldwriter.h"
 #include "result/sidenodes.h"
 
-/* Sum over a node's facets of their normals there, times their size. [out] normals - ghosted, owned by the caller */
+/* Sum over a node's facets of their normals there, times their size.
+   [out] normals - ghosted, owned by the caller */
 static PetscErrorCode SurfaceFieldsGetFacetNormals_Private(Level *level, const Facets *facets, Vec *normals)
 {
   const PetscInt dim = level->dim;
@@ -33,7 +34,8 @@ static PetscErrorCode SurfaceFieldsGetFacetNormals_Private(Level *level, const F
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Unit normals of this rank's nodes: the direction of the constraint where there is one, else the mean of the facets'.
+/* Unit normals of this rank's nodes: the direction of the constraint where there is one, else the mean of the
+   facets'.
    [out] normal - [num_owned][dim], owned by the caller */
 static PetscErrorCode SurfaceFieldsGetNormals_Private(const Pair pair, const Facets *facets, PetscReal **normal)
 {

@@ -15,8 +15,8 @@
 
 static const PetscReal PERCENT = 100;
 
-/* "force (1, -2)". Around a ring the radial parts of a force cancel, so that the normal force tells what the
-   vector cannot. */
+/* "force (1, -2)". Around a ring the radial parts of a force cancel: there the line has the normal and the
+   axial force. */
 static PetscErrorCode SummaryPrintForce_Private(const SummaryInput *in, const ScenePair *spec, const PairSum *sum,
                                                 char text[], size_t len)
 {
@@ -62,7 +62,7 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
   char             force[128], at[128], bar[3][32];
 
   PetscFunctionBeginUser;
-  if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning tells why
+  if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning has the reason
   ErrorReportPairBar(in, spec->name, "normal_force", bar[0], sizeof(bar[0]));
   ErrorReportPairBar(in, spec->name, "max_pressure", bar[1], sizeof(bar[1]));
   ErrorReportPairBar(in, spec->name, "area", bar[2], sizeof(bar[2]));
@@ -151,7 +151,7 @@ static PetscErrorCode SummaryPrintErrors_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Work of all levels, and what one linear solve costs beside it. */
+/* Work of all levels, and the cost of one linear solve. */
 static PetscErrorCode SummaryPrintCost_Private(const SummaryInput *in)
 {
   const SolverReport *report = in->report;

@@ -1,5 +1,5 @@
-/* vtu.c -- fields as one VTK unstructured grid file (XML, inline base64), by the first rank: each quantity is
-   one text, whose parts have no places of their own. */
+/* vtu.c -- fields as one VTK unstructured grid file (XML, inline base64). The first rank writes it: each
+   quantity is one text, which ranks cannot write in parts. */
 #include <stdint.h>
 #include <string.h>
 #include "output/fieldwriter.h"
@@ -7,7 +7,7 @@
 #include "result/gatherarrays.h"
 #include "base/compat.h"
 
-/* VTK's number of a cell (vtkCellType.h); its order of nodes is that of the picture. */
+/* VTK's number of a cell (vtkCellType.h); its order of nodes is that of the field writer. */
 static const uint8_t vtk_number[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = 3, [ELEMENT_LINE3] = 21, [ELEMENT_TRI3] = 5,   [ELEMENT_QUAD4] = 9,  [ELEMENT_TET4] = 10,
     [ELEMENT_HEX8] = 12, [ELEMENT_TRI6] = 22,  [ELEMENT_QUAD9] = 28, [ELEMENT_TET10] = 24, [ELEMENT_HEX27] = 29};
@@ -98,7 +98,7 @@ static void VTUWriteBodies_Private(const FieldWriter *writer)
 
 static PetscErrorCode VTUBegin_Private(FieldWriter *writer)
 {
-  const uint16_t order = 1; /* its first byte tells the machine's byte order */
+  const uint16_t order = 1; /* its first byte depends on the machine's byte order */
 
   PetscFunctionBeginUser;
   if (!writer->out) PetscFunctionReturn(PETSC_SUCCESS);

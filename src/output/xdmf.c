@@ -1,20 +1,20 @@
 /* xdmf.c -- the XML file that describes the HDF5 file to viewers.
 
-   Kept to what ParaView's, VTK's and meshio's readers share: one uniform grid, version 3, data items that are whole
-   datasets, a relative file name so that the two files can be moved together. Reference: the XDMF model and format.
+   Limited to the features that ParaView, VTK and meshio read: one uniform grid, version 3, data items that
+   are whole datasets. The file name is relative, so that the two files can be moved together. Reference: the
+   XDMF model and format.
 
-   They do not share one thing: pyvista's reader fails on a grid without a time, and meshio's on a grid with
-   one. So the grid is told twice, by a feature of the format. Readers of XDMF 2 (VTK, hence pyvista and
-   ParaView) follow the Reference of the plain grid to its copy with a time; meshio and readers of XDMF 3 know
-   no such attribute and take the plain grid. The copy stands in an Information, whose text must be XML to
-   please meshio. */
+   One feature differs: pyvista's reader fails on a grid without a time, and meshio's on a grid with one. So
+   the grid is written twice. Readers of XDMF 2 (VTK, hence pyvista and ParaView) follow the Reference of the
+   plain grid to its copy with a time. meshio and readers of XDMF 3 ignore this attribute and take the plain
+   grid. The copy is in an Information, whose text must be XML for meshio. */
 #include <string.h>
 #include "output/xdmf.h"
 #include "output/xml.h"
 #include "base/compat.h"
 
-/* XDMF's name and number of a cell; its order of nodes is that of the picture. A line of two points is told
-   as a polyline, and so needs to be told its length; lines are never mixed with others. */
+/* XDMF's name and number of a cell; its order of nodes is that of the field writer. A line of two points is a
+   polyline, which needs its number of points; lines are never mixed with other types. */
 static const char *const xdmf_name[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = "Polyline",      [ELEMENT_LINE3] = "Edge_3",    [ELEMENT_TRI3] = "Triangle",
     [ELEMENT_QUAD4] = "Quadrilateral", [ELEMENT_TRI6] = "Triangle_6", [ELEMENT_QUAD9] = "Quadrilateral_9",
@@ -112,7 +112,7 @@ static void XDMFWriteAttribute_Private(FILE *out, const char hdf5[], const char 
   fprintf(out, "      </Attribute>\n");
 }
 
-/* What a grid consists of: points, cells, quantities. [in] group - of the quantities of points */
+/* The items of a grid: points, cells, quantities. [in] group - of the quantities of points */
 static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, const FieldGrid *grid, const char hdf5[],
                                        const char group[])
 {
@@ -136,7 +136,7 @@ static void XDMFWriteGridItems_Private(FILE *out, const FieldWriter *writer, con
   }
 }
 
-/* The grid of a picture at one time, told twice. */
+/* The grid of fields at one time, written twice. */
 static void XDMFWriteSteady_Private(FILE *out, const FieldWriter *writer, const FieldGrid *grid, const char hdf5[],
                                     const char title[])
 {
@@ -152,7 +152,8 @@ static void XDMFWriteSteady_Private(FILE *out, const FieldWriter *writer, const 
   fprintf(out, "      </Grid>\n      </Information>\n    </Grid>\n");
 }
 
-/* One grid for each time. Viewers sort times: where these do not ascend, the number of the step stands for them. */
+/* One grid for each time. Viewers sort times: where these do not ascend, numbers of steps take their
+   place. */
 static void XDMFWriteSeries_Private(FILE *out, const FieldWriter *writer, const char hdf5[], const char title[])
 {
   const FieldSeries *series = writer->series;
@@ -188,7 +189,7 @@ PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, co
                       .topology   = topology->name};
 
   PetscFunctionBeginUser;
-  if (writer->series) { // all of its grids are told
+  if (writer->series) { // all of its grids
     grid.step                                     = writer->series->grid[writer->series->num - 1].step;
     writer->series->grid[writer->series->num - 1] = grid;
   }

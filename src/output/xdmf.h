@@ -17,7 +17,7 @@ typedef struct {
    XDMFTopologyDestroy(), the rest stays */
 PetscErrorCode XDMFTopologyCreate(const FieldRows *rows, const SortedCells *cells, Topology *topology);
 PetscErrorCode XDMFTopologyDestroy(Topology *topology);
-/* Nodes of a cell of a list of several types, 0 for a type that we do not write. Not collective. [in] number
+/* Nodes of a cell of a list of several types, 0 for a type that is never written. Not collective. [in] number
    - its XDMF type */
 PetscInt XDMFTopologyGetNumNodes(int number);
 
@@ -25,7 +25,8 @@ enum { XDMF_STEP_NAME = 32 };
 /* "steps/0003/", the group of step i (from 0) of a series in the HDF5 file; "" without a series. Not
    collective. */
 void XDMFStepName(const FieldSeries *series, PetscInt i, char name[XDMF_STEP_NAME]);
-/* The file that tells viewers what lies in the HDF5 file, beside which it will stand. First rank only, not collective.
+/* Writes the file that describes the HDF5 file to viewers, in the same folder. First rank only, not
+   collective.
    [in] topology - values are not needed */
 PetscErrorCode XDMFWrite(const FieldWriter *writer, const Topology *topology, const char hdf5[]);
 
