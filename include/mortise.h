@@ -1,4 +1,4 @@
-/* mortise.h -- the public interface of Mortise: contact of linearly elastic bodies, as one object in PETSc's idiom.
+/* mortise.h -- the public interface of Mortise: contact of elastic bodies, as one object in PETSc's idiom.
 
    A program reads a scene from options, solves it, and asks for numbers:
 
@@ -16,10 +16,10 @@
        PetscCall(MortiseDestroy(&m));
        PetscCall(MortiseFinalize());
 
-   Every function returns 0, MORTISE_ERR_USER for a mistake of the user (MortiseGetError() tells it in one sentence), or an error
-   code of PETSc. A mistake prints nothing, and neither does PetscCall() that passes it on; in main() itself PetscCall() ends the
-   program, as with every error. Functions are collective unless they say otherwise: all ranks call them with the same arguments.
-   Units are those of the scene. Options, formulas and files are described in GUIDE.md. */
+   Every function returns 0, MORTISE_ERR_USER for a mistake of the user (see MortiseGetError()), or an
+   error code of PETSc. A mistake prints nothing, nor does PetscCall() that returns it; in main() itself
+   PetscCall() ends the program. Functions are collective unless they say otherwise: all ranks call them with
+   the same arguments. Units are those of the scene. GUIDE.md describes options, formulas and files. */
 #ifndef MORTISE_H
 #define MORTISE_H
 
@@ -90,9 +90,9 @@ typedef struct {
 -  -skip_petscrc        - leaves PETSc's own files of options alone
 
    Notes:
-   If PETSc does not run, options files are read and checked here. A missing or malformed file, or a word that is no
-   option, is a user error; PETSc is not started then. If PETSc runs already, pass NULL for both arguments.
-   MPI is started if it does not run. Call MortiseFinalize() in either case, also after a mistake.
+   If PETSc does not run, options files are read and checked here. A missing or malformed file, or a word that
+   is no option, is a user error; PETSc is not started then. If PETSc runs already, pass NULL for both
+   arguments. MPI is started if it does not run. Call MortiseFinalize() in either case, also after a mistake.
 
    Level: beginner
 .seealso: MortiseFinalize(), MortiseGetError()
@@ -105,7 +105,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseInitialize(int *argc, char ***argv);
    Collective on MPI_COMM_WORLD
 
    Notes:
-   All handles are destroyed before. A PETSc of the caller goes on, and PetscFinalize() is called by the caller, afterwards.
+   All handles are destroyed before. A PETSc of the caller goes on: the caller calls PetscFinalize() later.
 
    Level: beginner
 .seealso: MortiseInitialize()
@@ -163,7 +163,7 @@ MORTISE_PUBLIC PetscErrorCode MortisePrintHelp(MPI_Comm comm);
 .  m - owned by the caller, MortiseDestroy()
 
    Notes:
-   Several handles may live at the same time, and be used in turn. Give each a prefix by MortiseSetOptionsPrefix().
+   Several handles may exist at the same time. Give each a prefix by MortiseSetOptionsPrefix().
 
    Level: beginner
 .seealso: MortiseSetFromOptions(), MortiseDestroy()
@@ -171,7 +171,7 @@ MORTISE_PUBLIC PetscErrorCode MortisePrintHelp(MPI_Comm comm);
 MORTISE_PUBLIC PetscErrorCode MortiseCreate(MPI_Comm comm, Mortise *m);
 
 /*@
-   MortiseSetOptionsPrefix - Gives the handle options of its own: those of PETSc's database that begin with a prefix.
+   MortiseSetOptionsPrefix - Gives the handle options of its own: those of the database with a prefix.
 
    Logically Collective
 
@@ -180,9 +180,9 @@ MORTISE_PUBLIC PetscErrorCode MortiseCreate(MPI_Comm comm, Mortise *m);
 -  prefix - such as "left_": the scene's -bodies is then -left_bodies, PETSc's -ksp_type is -left_ksp_type
 
    Notes:
-   Without a prefix every option of PETSc's database is taken for one of the scene, and one that nothing reads is a mistake: a caller
-   reads its own options before MortiseSetFromOptions(). With a prefix nothing else is looked at. Options are copied by
-   MortiseSetFromOptions().
+   Without a prefix every option of PETSc's database counts as one of the scene, and an unread one is a
+   mistake: a caller reads its own ones before MortiseSetFromOptions(), which copies options. With a prefix
+   all others are ignored.
 
    Level: intermediate
 .seealso: MortiseInsertFile(), MortiseSetFromOptions()
@@ -199,8 +199,8 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetOptionsPrefix(Mortise m, const char pref
 -  file - its path; names of meshes in it may be relative to its folder
 
    Notes:
-   Options in the file have no prefix. With MortiseSetOptionsPrefix() they are the handle's alone, and else go into PETSc's
-   database. The command line wins over the file.
+   Options in the file have no prefix. With MortiseSetOptionsPrefix() they are the handle's alone, and else go
+   into PETSc's database. The command line wins over the file.
 
    Level: beginner
 .seealso: MortiseSetOptionsPrefix(), MortiseSetFromOptions()
@@ -222,8 +222,8 @@ MORTISE_PUBLIC PetscErrorCode MortiseInsertFile(Mortise m, const char file[]);
 -  -output <path>          - files that MortiseWrite() writes
 
    Notes:
-   An option that nothing reads is a mistake (-options_allow_unused makes it a warning). After a mistake the handle is empty; it can
-   be destroyed, or filled again after the options were mended. Warnings are lines on standard error.
+   An unread option is a mistake (-options_allow_unused makes it a warning). After a mistake the handle is
+   empty; it can be destroyed, or filled again with other options. Warnings are lines on standard error.
 
    Level: beginner
 .seealso: MortiseSetOptionsPrefix(), MortiseSetUp(), MortiseGetError()
@@ -253,9 +253,9 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetUp(Mortise m);
 -  t - 1 in the beginning
 
    Notes:
-   Formulas of the scene may name t. Where none does, t is a load factor: it multiplies loads, given displacements, gap offsets and
-   temperatures, or what -load_steps_scale says. A map of a mesh cannot name t. Every solve is static. From this call on, matrices
-   and factors are kept from one solve to the next: each costs a part of the first one.
+   Formulas of the scene may name t. Where none does, t is a load factor: it multiplies loads, given
+   displacements, gap offsets and temperatures, or what -load_steps_scale says. A map of a mesh cannot name t.
+   Every solve is static. From this call on, solves keep matrices and factors, and take less time.
 
    Level: beginner
 .seealso: MortiseSetDatum(), MortiseSolve()
@@ -274,9 +274,10 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetTime(Mortise m, PetscReal t);
 -  values - array of shape [num], in the unit of the option
 
    Notes:
-   The option is one of -<body>_body_force, -<body>_bc_displacement_<side>, other -<body>_bc_<load>_<side>, -<body>_temperature,
-   -<body>_initial_strain, -<body>_pretension, -<pair>_gap, -<pair>_gap_offset, -<pair>_obstacle_gap, and the scene has it. What is
-   `free` stays so. If t is a load factor it multiplies these numbers, too. A solve finds the strain of a new pretension, else keeps it.
+   The scene has the option, which is one of -<body>_body_force, -<body>_bc_displacement_<side>, other
+   -<body>_bc_<load>_<side>, -<body>_temperature, -<body>_initial_strain, -<body>_pretension, -<pair>_gap,
+   -<pair>_gap_offset, -<pair>_obstacle_gap. Components that are `free` stay so. If t is a load factor it
+   multiplies these numbers, too. A solve finds the strain of a new pretension, else keeps it.
 
    Level: intermediate
 .seealso: MortiseSetTime(), MortiseSolve()
@@ -293,8 +294,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetDatum(Mortise m, const char option[], Pe
 -  u - displacement, in the layout of MortiseGetDisplacement(), copied; or NULL: from zero
 
    Notes:
-   Counts for one solve. Without it a solve begins where the last solutions lead, and the first one at zero. This changes the time,
-   and not the answer.
+   Counts for one solve, and changes its time only. By default the guess is from the last solutions, or zero.
 
    Level: advanced
 .seealso: MortiseSolve(), MortiseGetDisplacement()
@@ -310,8 +310,8 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetInitialGuess(Mortise m, Vec u);
 .  m - the handle, after MortiseSetFromOptions()
 
    Notes:
-   A scene without a solution and a solver that does not converge are no errors: ask MortiseGetStatus(). Nothing is printed but
-   warnings. -load_steps and -study solve and write all that they ask for: answers are of the last step, of a study there are none.
+   A scene without a solution and a solver that does not converge are no errors: ask MortiseGetStatus().
+   Only warnings are printed. -load_steps and -study solve all; getters have the last step, none of a study.
 
    Level: beginner
 .seealso: MortiseGetStatus(), MortiseSetTime(), MortiseSetInitialGuess(), MortiseWrite()
@@ -408,7 +408,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetSummary(Mortise m, const char **json);
 
    Input Parameters:
 +  m    - the handle, after MortiseSolve()
-.  path - keys of the summary, joined by '/': "pairs/joint/max_pressure", "reactions/upper:top", "probes/tip/displacement"
+.  path - keys of the summary, joined by '/': "pairs/joint/max_pressure", "probes/tip/displacement"
 -  num  - numbers wanted: 1, or the length of the array
 
    Output Parameter:
@@ -429,11 +429,11 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetNumbers(Mortise m, const char path[], Pe
 -  pair - name of the pair
 
    Output Parameters:
-+  force  - what the mortar side exerts on the nonmortar body, array of shape [3], 0 beyond the dimension; or NULL
++  force  - of the mortar side on the nonmortar body, array of shape [3], 0 beyond the dimension; or NULL
 -  normal - integral of the pressure; or NULL
 
    Notes:
-   In two dimensions for the thickness of the scene, axisymmetric for the whole ring. NAN where there is no solution.
+   In two dimensions for the thickness of the scene, axisymmetric for the whole ring. NAN without a solution.
 
    Level: beginner
 .seealso: MortiseGetPressure(), MortiseGetNumbers()
@@ -485,7 +485,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetCertificate(Mortise m, MortiseCertificat
 .  dm - a DMPlex; borrowed, as long as the handle lives
 
    Notes:
-   Its coordinates are those before -<body>_map, and its points carry no section. Positions of nodes: MortiseGetCoordinates().
+   Its coordinates are those before -<body>_map; it has no section. Nodes: MortiseGetCoordinates().
 
    Level: advanced
 .seealso: MortiseGetCoordinates()
@@ -517,7 +517,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetCoordinates(Mortise m, Vec *x);
 .  m - the handle, after MortiseSolve()
 
    Output Parameter:
-.  u - length, dim numbers for each node, in the layout of MortiseGetCoordinates(); borrowed, until the next solve
+.  u - length, dim numbers per node, in the layout of MortiseGetCoordinates(); borrowed until the next solve
 
    Level: beginner
 .seealso: MortiseGetCoordinates(), MortiseGetPressure()

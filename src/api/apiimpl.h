@@ -1,4 +1,4 @@
-/* apiimpl.h -- what a handle holds, and what surrounds every call of the public interface. */
+/* apiimpl.h -- the data of a handle, and the frame of every call of the public interface. */
 #ifndef API_IMPL_H
 #define API_IMPL_H
 
@@ -22,7 +22,7 @@ struct _p_Mortise {
   PetscOptions options; /* with a prefix: those of the handle, without it; else NULL: PETSc's own */
   PetscReal    time;
   Scene        scene;
-  Mesh         mesh; /* none for a study */
+  Mesh         mesh; /* NULL for a study */
   Vec          coordinates;
   Run          run;
   PetscBool    solved_once; /* whether there was a solve: verdict counts */
@@ -36,8 +36,9 @@ struct _p_Mortise {
   WarningLists warnings;
 };
 
-/* Surround the body of every public function: errors are told as in the program, options and warnings are those of the handle.
-   ApiEnd() returns error, and leaves stages that it has left open. Not collective. */
+/* Surround the body of every public function: errors are reported as in the program, options and warnings are
+   those of the handle. ApiEnd() returns error, and ends log stages that an error has left open.
+   Not collective. */
 PetscErrorCode ApiBegin(Mortise m);
 PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error);
 /* Whether MortiseInitialize() was called, and MortiseFinalize() not yet. Not collective. */

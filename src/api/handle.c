@@ -67,8 +67,8 @@ static PetscErrorCode HandleDropResults_Private(Mortise m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Everything that came of the scene, and the scene. */
-static PetscErrorCode Clear_Private(Mortise m)
+/* Destroys the results, the mesh and the scene. */
+static PetscErrorCode HandleClear_Private(Mortise m)
 {
   PetscFunctionBeginUser;
   PetscCall(HandleDropResults_Private(m));
@@ -89,7 +89,7 @@ PetscErrorCode MortiseDestroy(Mortise *m)
   PetscFunctionBeginUser;
   if (!*m) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ApiBegin(*m));
-  error = Clear_Private(*m);
+  error = HandleClear_Private(*m);
   PetscCall(ApiEnd(*m, error));
   if ((*m)->options) PetscCall(PetscOptionsDestroy(&(*m)->options));
   PetscCall(PetscFree((*m)->prefix));
@@ -119,8 +119,8 @@ PetscErrorCode MortiseInsertFile(Mortise m, const char file[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads the scene. A scene that is wrong is left where it is: it is not known how far it came. */
-static PetscErrorCode ReadScene_Private(Mortise m)
+/* Reads the scene. After an error it is kept as it is: its state is unknown. */
+static PetscErrorCode HandleReadScene_Private(Mortise m)
 {
   Scene scene;
 
@@ -136,7 +136,7 @@ static PetscErrorCode ReadScene_Private(Mortise m)
                                       "call mortise-report for them"));
   PetscCall(HTMLReportCheck(scene));
   PetscCall(LogStageEnd(STAGE_SETUP));
-  if (!ProcessIsOwn() && !scene->monitor) scene->quiet = PETSC_TRUE; // a library prints what it is asked to
+  if (!ProcessIsOwn() && !scene->monitor) scene->quiet = PETSC_TRUE; // a library prints on request only
   m->scene = scene;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -148,14 +148,14 @@ PetscErrorCode MortiseSetFromOptions(Mortise m)
   PetscFunctionBeginUser;
   if (m->options) PetscCall(OptionsCopyPrefixed(m->prefix, m->options));
   PetscCall(ApiBegin(m));
-  error = Clear_Private(m);
-  if (!error) error = ReadScene_Private(m);
+  error = HandleClear_Private(m);
+  if (!error) error = HandleReadScene_Private(m);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A mesh that is wrong is left where it is, like a scene. */
-static PetscErrorCode SetUp_Private(Mortise m)
+/* Creates the mesh. After an error it is kept as it is, like the scene. */
+static PetscErrorCode HandleSetUp_Private(Mortise m)
 {
   Mesh mesh;
 
@@ -178,7 +178,7 @@ PetscErrorCode MortiseSetUp(Mortise m)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = SetUp_Private(m);
+  error = HandleSetUp_Private(m);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -191,7 +191,7 @@ PetscErrorCode MortiseSetTime(Mortise m, PetscReal t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode SetDatum_Private(Mortise m, const char option[], PetscInt num, const PetscReal values[])
+static PetscErrorCode HandleSetDatum_Private(Mortise m, const char option[], PetscInt num, const PetscReal values[])
 {
   PetscFunctionBeginUser;
   PetscCall(ApiNeedScene(m, "MortiseSetDatum"));
@@ -206,16 +206,16 @@ PetscErrorCode MortiseSetDatum(Mortise m, const char option[], PetscInt num, con
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = SetDatum_Private(m, option, num, values);
+  error = HandleSetDatum_Private(m, option, num, values);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode SetGuess_Private(Mortise m, Vec u)
+static PetscErrorCode HandleSetGuess_Private(Mortise m, Vec u)
 {
   PetscFunctionBeginUser;
   PetscCall(ApiNeedScene(m, "MortiseSetInitialGuess"));
-  PetscCall(SetUp_Private(m));
+  PetscCall(HandleSetUp_Private(m));
   PetscCall(VecDestroy(&m->guess));
   m->guess_given = PETSC_TRUE;
   if (!u || !m->mesh) PetscFunctionReturn(PETSC_SUCCESS);
@@ -232,13 +232,13 @@ PetscErrorCode MortiseSetInitialGuess(Mortise m, Vec u)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = SetGuess_Private(m, u);
+  error = HandleSetGuess_Private(m, u);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where warnings are to fail a run, they do: files and numbers are there all the same. */
-static PetscErrorCode CountWarnings_Private(Mortise m)
+/* With -warnings error, warnings make the run fail; files and numbers are complete all the same. */
+static PetscErrorCode HandleCountWarnings_Private(Mortise m)
 {
   PetscInt num;
 
@@ -255,22 +255,23 @@ static PetscErrorCode CountWarnings_Private(Mortise m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes the displacement to begin with out of the handle, and the last run. [out] guess - owned by the caller, or NULL: that of the last
-   solutions; [out] run - the same, or NULL: all is to be made anew */
-static PetscErrorCode TakeLast_Private(Mortise m, Vec *guess, Run *run)
+/* Takes the initial displacement and the last run from the handle.
+   [out] guess - owned by the caller, or NULL: that of the last solutions; [out] run - owned by the caller, or
+   NULL: everything is computed anew */
+static PetscErrorCode HandleTakeLast_Private(Mortise m, Vec *guess, Run *run)
 {
   PetscFunctionBeginUser;
-  if (m->guess_given && !m->guess) PetscCall(RunDestroy(&m->run)); // it would begin with what it has found
+  if (m->guess_given && !m->guess) PetscCall(RunDestroy(&m->run)); // it would begin with its own solution
   *guess         = m->guess;
   *run           = m->run;
   m->guess       = NULL;
-  m->run         = NULL; // where an error ends it half way, it is of no use
+  m->run         = NULL; // after an error its state is unknown
   m->guess_given = PETSC_FALSE;
   PetscCall(HandleDropResults_Private(m));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Solve_Private(Mortise m)
+static PetscErrorCode HandleSolve_Private(Mortise m)
 {
   Vec guess;
   Run run;
@@ -279,8 +280,8 @@ static PetscErrorCode Solve_Private(Mortise m)
   PetscCall(ApiNeedScene(m, "MortiseSolve"));
   if (m->solved_once) PetscCall(LogReset(LogWallClock()));
   PetscCall(SceneSetTime(m->scene, m->time));
-  PetscCall(SetUp_Private(m));
-  PetscCall(TakeLast_Private(m, &guess, &run));
+  PetscCall(HandleSetUp_Private(m));
+  PetscCall(HandleTakeLast_Private(m, &guess, &run));
   if (run && m->scene->check) PetscCall(RunDestroy(&run));
   m->solved_once = PETSC_FALSE;
   m->scene->keep = (PetscBool)(m->several || m->scene->steps.num);
@@ -302,7 +303,7 @@ static PetscErrorCode Solve_Private(Mortise m)
   }
   m->scene->view = PETSC_FALSE; // of the first solve only
   m->solved_once = PETSC_TRUE;
-  PetscCall(CountWarnings_Private(m));
+  PetscCall(HandleCountWarnings_Private(m));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -312,7 +313,7 @@ PetscErrorCode MortiseSolve(Mortise m)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = Solve_Private(m);
+  error = HandleSolve_Private(m);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

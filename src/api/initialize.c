@@ -1,7 +1,7 @@
-/* initialize.c -- the beginning and the end of the library, and what surrounds each of its calls.
+/* initialize.c -- the beginning and the end of the library, and the frame of each of its calls.
 
-   PETSc's handler of errors and its database of options are global. A call takes both for itself and gives them back, so that a
-   program which runs PETSc keeps its own; between calls only MORTISE_ERR_USER is kept silent. */
+   PETSc's handler of errors and its database of options are global. A call replaces both and restores them: a
+   program that runs PETSc keeps its own. Between calls only MORTISE_ERR_USER is silent. */
 #include "api/apiimpl.h"
 #include <metis.h>
 #include <muParserDLL.h>
@@ -20,11 +20,11 @@ enum { VERSIONS_LENGTH = 1024 + MPI_MAX_LIBRARY_VERSION_STRING };
 
 static struct {
   PetscBool ready, started_mpi,
-      started_petsc;    /* between MortiseInitialize() and MortiseFinalize(); what it has started */
+      started_petsc;    /* between MortiseInitialize() and MortiseFinalize(); whether it has started MPI, PETSc */
   PetscBool registered; /* types, with a PETSc that has not ended since */
 } library;
 
-/* PETSc ends, and forgets types. */
+/* PetscFinalize() destroys the registered types. */
 static PetscErrorCode ForgetFn(void)
 {
   PetscFunctionBeginUser;
@@ -36,7 +36,7 @@ static PetscErrorCode ForgetFn(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What PETSc is to know of this library. */
+/* Registers types and stages with PETSc. */
 static PetscErrorCode Register_Private(double start)
 {
   PetscFunctionBeginUser;

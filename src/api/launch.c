@@ -1,7 +1,7 @@
 /* launch.c -- see the header.
 
-   Open MPI starts a daemon for a process without a launcher, and asks every network library of the machine. Together they take five
-   times as long as a small scene. A parameter in the user's environment wins. */
+   Open MPI starts a daemon for a process without a launcher, and asks every network library of the machine.
+   Together they take five times as long as a small scene. A parameter in the user's environment wins. */
 #include "api/launch.h"
 #include <stdlib.h>
 
@@ -11,8 +11,8 @@ static const char *const launchers[] = {
     "SLURM_PROCID",         "FLUX_TASK_RANK", "JSM_NAMESPACE_RANK", "PALS_RANKID", "ALPS_APP_PE", "MV2_COMM_WORLD_SIZE",
     "MPIRUN_RANK"};
 
-/* A process alone needs no daemon to start others, of the layers for messages the one that needs no network, and no list of the machine's cards
-   and displays. */
+/* Settings for a process alone: no daemon, the message layer without a network, no list of the machine's
+   cards and displays. */
 static const struct {
   const char *name, *value;
 } alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"},

@@ -4,10 +4,12 @@
 
 #include <petscsys.h>
 
-/* Whether the environment has a variable of a launcher of MPI: mpiexec, Slurm, Flux and others. Not collective; needs no MPI. */
+/* Whether the environment has a variable of a launcher of MPI: mpiexec, Slurm, Flux and others.
+   Not collective; needs no MPI. */
 PetscBool LaunchedByLauncher(void);
-/* MPI_Init(). Where no launcher started the process, Open MPI starts no daemon and looks for no network, unless the user has set the
-   variable that says so; the environment is the user's again afterwards. Other kinds of MPI know none of these variables. */
+/* MPI_Init(). Where no launcher started the process, Open MPI starts no daemon and searches no network,
+   unless the user has set these variables. Afterwards the environment is the user's again. Other
+   implementations of MPI ignore these variables. Collective on all ranks. */
 void LaunchMPI(int *argc, char ***argv);
 
 #endif

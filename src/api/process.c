@@ -1,7 +1,7 @@
 /* process.c -- see the header.
 
-   Where PETSc has found a mistake, some ranks may not know of it and wait for the others for ever (a file that only the first rank
-   opens); these are ended by force, and the sentence is said by a rank that knows it. */
+   After a mistake that PETSc has found, some ranks may wait for the others for ever: only the first rank
+   opens a file. These are ended by force, and a rank that has the sentence prints it. */
 #include "api/process.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -16,16 +16,16 @@
 
 enum {
   EXIT_SECONDS = 5
-}; /* seconds that ranks which know of a mistake wait for the others: they all heard of it at once, or never */
+}; /* seconds of waiting for the other ranks after a mistake: all have noticed it at once, or never will */
 
 static struct {
   PetscBool own, alone; // alone: there is no MPI
   double    start;
-  MPI_Comm  farewell; // what other ranks wait in must not be taken for the last meeting
+  MPI_Comm  farewell; // separate, so that ranks in another collective call do not match the last one
 } process;
 
 /* Opens closed standard streams on /dev/null: otherwise result files would get their numbers. */
-static void OpenStreams_Private(void)
+static void ProcessOpenStreams_Private(void)
 {
   for (int stream = open("/dev/null", O_RDWR); stream >= 0; stream = dup(stream)) {
     if (stream <= STDERR_FILENO) continue;
@@ -38,7 +38,7 @@ void ProcessBegin(int *argc, char ***argv, PetscBool solves)
 {
   process.own   = PETSC_TRUE;
   process.start = LogWallClock();
-  OpenStreams_Private();
+  ProcessOpenStreams_Private();
   process.alone = (PetscBool)(!solves && !LaunchedByLauncher());
   if (process.alone) return;
   ThreadsLimit();
@@ -64,8 +64,8 @@ double ProcessStart(void)
   return process.start;
 }
 
-/* Whether all ranks come to the end of the program within a few seconds. */
-static PetscBool EndTogether_Private(void)
+/* Whether all ranks reach the end of the program within a few seconds. */
+static PetscBool ProcessEndTogether_Private(void)
 {
   const double limit   = LogWallClock() + EXIT_SECONDS;
   int          arrived = 0;
@@ -76,8 +76,9 @@ static PetscBool EndTogether_Private(void)
   return arrived ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Whether all that was printed has arrived, where nothing worse has happened; a full disk shows here at the latest. */
-static PetscBool EndPrinting_Private(void)
+/* Whether the whole output was written, unless another error has happened; a full disk is noticed here at the
+   latest. */
+static PetscBool ProcessEndPrinting_Private(void)
 {
   const int failed = fflush(stdout), reason = errno;
 
@@ -91,12 +92,12 @@ int ProcessEnd(MortiseExit verdict)
 {
   int rank, size;
 
-  if (process.alone) return EndPrinting_Private() ? verdict : MORTISE_FAILED;
+  if (process.alone) return ProcessEndPrinting_Private() ? verdict : MORTISE_FAILED;
   MPI_Comm_rank(process.farewell, &rank);
   MPI_Comm_size(process.farewell, &size);
   InterruptCleanUp();
-  if (!EndPrinting_Private() && verdict != MORTISE_USER_ERROR) verdict = MORTISE_FAILED;
-  if (verdict == MORTISE_USER_ERROR && !EndTogether_Private()) {
+  if (!ProcessEndPrinting_Private() && verdict != MORTISE_USER_ERROR) verdict = MORTISE_FAILED;
+  if (verdict == MORTISE_USER_ERROR && !ProcessEndTogether_Private()) {
     if (rank) fprintf(stderr, "mortise: %s\n", UserErrorSentence());
     MPI_Abort(MPI_COMM_WORLD, MORTISE_USER_ERROR);
   }
@@ -104,7 +105,7 @@ int ProcessEnd(MortiseExit verdict)
   MPI_Comm_free(&process.farewell);
   MPI_Finalize();
   if (rank)
-    return MORTISE_SOLVED; // a launcher ends the others, at work on a page, as soon as one rank reports a mishap
+    return MORTISE_SOLVED; // a launcher would end the other ranks, which may write a page, as soon as one rank reports a failure
   if (verdict != MORTISE_USER_ERROR && verdict != MORTISE_FAILED && !HTMLReportWrite() && verdict == MORTISE_SOLVED)
     verdict = MORTISE_FAILED;
   return verdict;

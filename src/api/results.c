@@ -1,4 +1,4 @@
-/* results.c -- what a handle tells of its last solution. */
+/* results.c -- getters of the last solution of a handle. */
 #include "api/apiimpl.h"
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "base/options.h"
 #include "result/pairsum.h"
 
-static PetscErrorCode NeedFields_Private(Mortise m, const char function[])
+static PetscErrorCode ResultsNeedFields_Private(Mortise m, const char function[])
 {
   PetscFunctionBeginUser;
   PetscCall(ApiNeedRun(m, function));
@@ -19,7 +19,7 @@ static PetscErrorCode NeedFields_Private(Mortise m, const char function[])
 }
 
 /* Index of a pair. User error: there is none of that name. */
-static PetscErrorCode FindPair_Private(Mortise m, const char function[], const char pair[], PetscInt *p)
+static PetscErrorCode ResultsFindPair_Private(Mortise m, const char function[], const char pair[], PetscInt *p)
 {
   const Scene  scene = m->scene;
   const char **names, *near;
@@ -69,17 +69,17 @@ PetscErrorCode MortiseGetReason(Mortise m, const char **sentence)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- files and lines ---------------------------------------------------------------------------------------------- */
+/* --- files and lines ------------------------------------------------------------------------------------ */
 
-/* The summary tells the options of this handle. */
-static PetscErrorCode ListOptions_Private(Mortise m)
+/* The summary lists the options of this handle. */
+static PetscErrorCode ResultsListOptions_Private(Mortise m)
 {
   PetscFunctionBeginUser;
   if (m->options || ApiJoined()) PetscCall(OptionsListDatabase());
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode Write_Private(Mortise m)
+static PetscErrorCode ResultsWrite_Private(Mortise m)
 {
   const Run    run = m->run;
   Output       output;
@@ -89,7 +89,7 @@ static PetscErrorCode Write_Private(Mortise m)
   /* a study or load steps have written their files */
   if (m->solved_once && (!run || m->scene->steps.num)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ApiNeedRun(m, "MortiseWrite"));
-  PetscCall(ListOptions_Private(m));
+  PetscCall(ResultsListOptions_Private(m));
   PetscCall(OutputCreate(m->comm, &output));
   if (m->scene->output) {
     PetscCall(LogStageBegin(STAGE_OUTPUT));
@@ -111,12 +111,12 @@ PetscErrorCode MortiseWrite(Mortise m)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = Write_Private(m);
+  error = ResultsWrite_Private(m);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode View_Private(Mortise m)
+static PetscErrorCode ResultsView_Private(Mortise m)
 {
   SummaryInput input;
 
@@ -145,17 +145,17 @@ PetscErrorCode MortiseView(Mortise m, PetscViewer viewer)
     PetscCall(PetscViewerFlush(viewer));
     PetscCall(PetscViewerASCIIGetPointer(viewer, &PETSC_STDOUT));
   }
-  error = ascii ? View_Private(m) : UserErrorRaise(m->comm, "MortiseView(): the viewer is not of type ascii");
+  error = ascii ? ResultsView_Private(m) : UserErrorRaise(m->comm, "MortiseView(): the viewer is not of type ascii");
   if (viewer && ascii && PETSC_STDOUT) (void)fflush(PETSC_STDOUT);
   PETSC_STDOUT = before;
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- the summary -------------------------------------------------------------------------------------------------- */
+/* --- the summary ---------------------------------------------------------------------------------------- */
 
 /* The summary on all ranks. */
-static PetscErrorCode MakeSummary_Private(Mortise m, const char function[])
+static PetscErrorCode ResultsCreateSummary_Private(Mortise m, const char function[])
 {
   SummaryInput input;
   PetscMPIInt  rank;
@@ -165,7 +165,7 @@ static PetscErrorCode MakeSummary_Private(Mortise m, const char function[])
   PetscCall(ApiNeedRun(m, function));
   if (m->summary) PetscFunctionReturn(PETSC_SUCCESS);
   input = RunSummary(m->run);
-  PetscCall(ListOptions_Private(m));
+  PetscCall(ResultsListOptions_Private(m));
   PetscCall(SummaryCreate(&input, &m->summary));
   PetscCallMPI(MPI_Comm_rank(m->comm, &rank));
   if (m->summary) size = (int)strlen(m->summary) + 1;
@@ -182,14 +182,14 @@ PetscErrorCode MortiseGetSummary(Mortise m, const char **json)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = MakeSummary_Private(m, "MortiseGetSummary");
+  error = ResultsCreateSummary_Private(m, "MortiseGetSummary");
   PetscCall(ApiEnd(m, error));
   *json = m->summary;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The item of a path, or NULL. */
-static const cJSON *FindItem_Private(const cJSON *item, const char path[])
+static const cJSON *ResultsFindItem_Private(const cJSON *item, const char path[])
 {
   char key[PETSC_MAX_PATH_LEN];
 
@@ -203,15 +203,15 @@ static const cJSON *FindItem_Private(const cJSON *item, const char path[])
   return item;
 }
 
-static PetscErrorCode GetNumbers_Private(Mortise m, const char path[], PetscInt num, PetscReal values[])
+static PetscErrorCode ResultsGetNumbers_Private(Mortise m, const char path[], PetscInt num, PetscReal values[])
 {
   const cJSON *item;
   PetscInt     size;
 
   PetscFunctionBeginUser;
-  PetscCall(MakeSummary_Private(m, "MortiseGetNumbers"));
+  PetscCall(ResultsCreateSummary_Private(m, "MortiseGetNumbers"));
   if (!m->numbers) m->numbers = cJSON_Parse(m->summary);
-  item = FindItem_Private(m->numbers, path);
+  item = ResultsFindItem_Private(m->numbers, path);
   if (!item) PetscCall(UserErrorRaise(m->comm, "MortiseGetNumbers(): the summary has nothing at %s", path));
   size = cJSON_IsArray(item) ? cJSON_GetArraySize(item) : 1;
   if (size != num || cJSON_IsObject(item))
@@ -232,20 +232,20 @@ PetscErrorCode MortiseGetNumbers(Mortise m, const char path[], PetscInt num, Pet
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetNumbers_Private(m, path, num, values);
+  error = ResultsGetNumbers_Private(m, path, num, values);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- numbers ------------------------------------------------------------------------------------------------------ */
+/* --- numbers -------------------------------------------------------------------------------------------- */
 
-static PetscErrorCode GetForce_Private(Mortise m, const char pair[], PairSum *sum)
+static PetscErrorCode ResultsGetForce_Private(Mortise m, const char pair[], PairSum *sum)
 {
   PetscInt p;
 
   PetscFunctionBeginUser;
   PetscCall(ApiNeedRun(m, "MortiseGetPairForce"));
-  PetscCall(FindPair_Private(m, "MortiseGetPairForce", pair, &p));
+  PetscCall(ResultsFindPair_Private(m, "MortiseGetPairForce", pair, &p));
   *sum = PairSumUnknown();
   if (m->run->fields) PetscCall(PairSumCompute(m->run->fields, p, sum));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -258,14 +258,14 @@ PetscErrorCode MortiseGetPairForce(Mortise m, const char pair[], PetscReal force
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetForce_Private(m, pair, &sum);
+  error = ResultsGetForce_Private(m, pair, &sum);
   PetscCall(ApiEnd(m, error));
   for (PetscInt k = 0; force && k < 3; ++k) force[k] = k < m->scene->dim ? sum.force[k] : 0;
   if (normal) *normal = sum.normal_force;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode GetEnergy_Private(Mortise m, PetscReal *strain, PetscReal *potential)
+static PetscErrorCode ResultsGetEnergy_Private(Mortise m, PetscReal *strain, PetscReal *potential)
 {
   const PetscInt num = m->scene ? m->scene->num_bodies : 0;
   PetscReal     *bodies;
@@ -289,7 +289,7 @@ PetscErrorCode MortiseGetEnergy(Mortise m, PetscReal *strain, PetscReal *potenti
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetEnergy_Private(m, &values[0], &values[1]);
+  error = ResultsGetEnergy_Private(m, &values[0], &values[1]);
   PetscCall(ApiEnd(m, error));
   if (strain) *strain = values[0];
   if (potential) *potential = values[1];
@@ -317,9 +317,9 @@ PetscErrorCode MortiseGetCertificate(Mortise m, MortiseCertificate *certificate)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- fields ------------------------------------------------------------------------------------------------------- */
+/* --- fields --------------------------------------------------------------------------------------------- */
 
-static PetscErrorCode NeedMesh_Private(Mortise m, const char function[])
+static PetscErrorCode ResultsNeedMesh_Private(Mortise m, const char function[])
 {
   PetscFunctionBeginUser;
   if (!m->mesh) PetscCall(UserErrorRaise(m->comm, "%s(): there is no mesh yet; call MortiseSetUp() before", function));
@@ -332,14 +332,15 @@ PetscErrorCode MortiseGetDM(Mortise m, DM *dm)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = NeedMesh_Private(m, "MortiseGetDM");
+  error = ResultsNeedMesh_Private(m, "MortiseGetDM");
   PetscCall(ApiEnd(m, error));
   *dm = MeshFinest(m->mesh)->dm;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A Vec of nodal values in the layout of the finest level, from values of this rank's nodes. [in] values - [num_owned][bs] */
-static PetscErrorCode CreateNodal_Private(const Level *level, PetscInt bs, const PetscReal values[], Vec *v)
+/* A Vec of nodal values in the layout of the finest level, from values of this rank's nodes.
+   [in] values - [num_owned][bs] */
+static PetscErrorCode ResultsCreateNodal_Private(const Level *level, PetscInt bs, const PetscReal values[], Vec *v)
 {
   PetscScalar *array;
 
@@ -354,14 +355,14 @@ static PetscErrorCode CreateNodal_Private(const Level *level, PetscInt bs, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode GetCoordinates_Private(Mortise m)
+static PetscErrorCode ResultsGetCoordinates_Private(Mortise m)
 {
   const Level *level;
 
   PetscFunctionBeginUser;
-  PetscCall(NeedMesh_Private(m, "MortiseGetCoordinates"));
+  PetscCall(ResultsNeedMesh_Private(m, "MortiseGetCoordinates"));
   level = MeshFinest(m->mesh);
-  if (!m->coordinates) PetscCall(CreateNodal_Private(level, level->dim, level->coords, &m->coordinates));
+  if (!m->coordinates) PetscCall(ResultsCreateNodal_Private(level, level->dim, level->coords, &m->coordinates));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -371,7 +372,7 @@ PetscErrorCode MortiseGetCoordinates(Mortise m, Vec *x)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetCoordinates_Private(m);
+  error = ResultsGetCoordinates_Private(m);
   PetscCall(ApiEnd(m, error));
   *x = m->coordinates;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -383,28 +384,28 @@ PetscErrorCode MortiseGetDisplacement(Mortise m, Vec *u)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = NeedFields_Private(m, "MortiseGetDisplacement");
+  error = ResultsNeedFields_Private(m, "MortiseGetDisplacement");
   PetscCall(ApiEnd(m, error));
   *u = m->run->fields->u;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Values of a pair, made once. [out] values - borrowed */
-static PetscErrorCode GetPair_Private(Mortise m, const char function[], const char pair[], PairValues **values)
+static PetscErrorCode ResultsGetPair_Private(Mortise m, const char function[], const char pair[], PairValues **values)
 {
   const Level *level;
   PetscInt     p;
 
   PetscFunctionBeginUser;
-  PetscCall(NeedFields_Private(m, function));
-  PetscCall(FindPair_Private(m, function, pair, &p));
+  PetscCall(ResultsNeedFields_Private(m, function));
+  PetscCall(ResultsFindPair_Private(m, function, pair, &p));
   *values = &m->pairs[p];
   if ((*values)->known) PetscFunctionReturn(PETSC_SUCCESS);
   level = m->run->vi->level;
   PetscCall(PairFieldsCreate(m->run->fields, p, &(*values)->nodal));
   PairFieldsOmitBeyond(m->run->vi->pairs[p], &(*values)->nodal);
-  PetscCall(CreateNodal_Private(level, 1, (*values)->nodal.pressure, &(*values)->pressure));
-  PetscCall(CreateNodal_Private(level, 1, (*values)->nodal.gap, &(*values)->gap));
+  PetscCall(ResultsCreateNodal_Private(level, 1, (*values)->nodal.pressure, &(*values)->pressure));
+  PetscCall(ResultsCreateNodal_Private(level, 1, (*values)->nodal.gap, &(*values)->gap));
   (*values)->known = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -416,7 +417,7 @@ PetscErrorCode MortiseGetPressure(Mortise m, const char pair[], Vec *p)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetPair_Private(m, "MortiseGetPressure", pair, &values);
+  error = ResultsGetPair_Private(m, "MortiseGetPressure", pair, &values);
   PetscCall(ApiEnd(m, error));
   *p = values->pressure;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -429,7 +430,7 @@ PetscErrorCode MortiseGetGap(Mortise m, const char pair[], Vec *g)
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetPair_Private(m, "MortiseGetGap", pair, &values);
+  error = ResultsGetPair_Private(m, "MortiseGetGap", pair, &values);
   PetscCall(ApiEnd(m, error));
   *g = values->gap;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -442,7 +443,7 @@ PetscErrorCode MortiseGetPairStatus(Mortise m, const char pair[], PetscInt *num,
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
-  error = GetPair_Private(m, "MortiseGetPairStatus", pair, &values);
+  error = ResultsGetPair_Private(m, "MortiseGetPairStatus", pair, &values);
   PetscCall(ApiEnd(m, error));
   *num    = m->run->vi->level->num_owned;
   *status = values->nodal.status;
