@@ -24,7 +24,8 @@ static PetscErrorCode SolveScene(int *status)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A user error leaves objects behind. PETSc is not finalised then: its list of leaks would hide the sentence. */
+/* A user error leaves objects behind. PETSc is not finalised then: its list of leaks would hide the
+   sentence. */
 static PetscErrorCode RunArguments(int argc, char **argv, int *status)
 {
   PetscFunctionBeginUser;
@@ -47,7 +48,8 @@ static PetscBool HasOption(int argc, char **argv, const char option[])
   return (PetscBool)(FindOption(argc, argv, option) > 0);
 }
 
-/* Converts a mesh: -convert <from> <to>. The two words are hidden from PETSc, which takes one value for an option. */
+/* Converts a mesh: -convert <from> <to>. The two words are hidden from PETSc, which takes one value for an
+   option. */
 static PetscErrorCode ConvertArguments(int argc, char **argv)
 {
   const int   at   = FindOption(argc, argv, "-convert");
@@ -64,14 +66,16 @@ static PetscErrorCode ConvertArguments(int argc, char **argv)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the command line has an option that asks for words alone, or nothing at all: none of this needs MPI. */
+/* Whether the command line has an option that asks for words alone, or nothing at all: none of this needs
+   MPI. */
 static PetscBool AsksForWords(int argc, char **argv)
 {
   return (PetscBool)(argc < 2 || HasOption(argc, argv, "-version") || HasOption(argc, argv, "-help") ||
                      HasOption(argc, argv, "-h"));
 }
 
-/* Prints these words, on the first rank. The user's other options play no part in it. Returns the exit code */
+/* Prints these words, on the first rank. The user's other options play no part in it. Returns the exit
+   code */
 static MortiseExit PrintWords(int argc, char **argv)
 {
   const char *versions;

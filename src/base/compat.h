@@ -29,7 +29,8 @@
 typedef void **PetscCtxRt;
 #endif
 
-/* Argument of the destroy function of a PetscContainer: the address of the context since 3.23, the context itself before. */
+/* Argument of the destroy function of a PetscContainer: the address of the context since 3.23, the context
+   itself before. */
 #if PETSC_VERSION_LT(3, 23, 0)
 #define PetscContainerSetCtxDestroy PetscContainerSetUserDestroy
 typedef void *ContainerArgument;
@@ -39,7 +40,8 @@ typedef PetscCtxRt ContainerArgument;
 #define ContainerArgumentGet(argument) (*(void **)(argument))
 #endif
 
-/* What MatRestrict() makes a restriction of, given the prolongation: since 3.21 it transposes a square matrix, before it did not. */
+/* The argument of MatRestrict() for a given prolongation: since 3.21 it transposes a square matrix, before it
+   did not. */
 #if PETSC_VERSION_LT(3, 21, 0)
 #define MatCreateRestriction(prolongation, restriction) MatCreateTranspose(prolongation, restriction)
 #else

@@ -1,7 +1,7 @@
 /* expression.c -- a comma list of numbers and formulas.
 
-   Formulas are compiled once by muParser [1] to its byte code; a formula without variables is evaluated at once and is a
-   plain number from then on.
+   Formulas are compiled once by muParser [1] to its byte code; a formula without variables is evaluated at
+   once and is a plain number from then on.
 
    References: [1] muParser, a fast math parser library, https://beltoforion.de/en/muparser */
 #include "base/compat.h"
@@ -27,22 +27,22 @@ struct _n_Expression {
   PetscBool  constant;
   PetscBool  meridian; // z is the second coordinate
   PetscReal  factor;   // of all values
-  PetscReal  x[3];     // what the formulas' variables are bound to
+  PetscReal  x[3];     // values of the variables x, y, z
   PetscBool  failed;   // an evaluation was not finite: the first one is described by the rest
   PetscInt   failed_component, failed_dim;
   PetscReal  failed_x[3];
 };
 
-/* What a formula may name beside the functions; the order is that of x[], r being the first coordinate as well. */
+/* Variables of formulas, in the order of x[]; r is the first coordinate as well. */
 static const char *const variable_names[] = {"x", "y", "z", "r"};
 static const char *const known_names[]    = {"x",     "y",    "z",    "r",     "t",    "pi",    "sin",  "cos",   "tan",
                                              "asin",  "acos", "atan", "atan2", "sinh", "cosh",  "tanh", "asinh", "acosh",
                                              "atanh", "exp",  "ln",   "log",   "log2", "log10", "sqrt", "abs",   "sign",
                                              "rint",  "min",  "max",  "sum",   "avg",  "free"};
 
-static PetscReal time_value = 1; // what t is bound to in all formulas
+static PetscReal time_value = 1; // value of t in all formulas
 
-enum { TEXT_SHOWN = 200 }; // letters of the text in a sentence: there may be thousands
+enum { TEXT_SHOWN = 200 }; // characters of the text in a sentence
 
 /* The text as sentences quote it. [out] shown - [TEXT_SHOWN] */
 static const char *ExpressionShortenText_Private(const char text[], char shown[])
@@ -51,9 +51,10 @@ static const char *ExpressionShortenText_Private(const char text[], char shown[]
   return shown;
 }
 
-/* --- reading ------------------------------------------------------------------------------------------------------ */
+/* --- reading -------------------------------------------------------------------------------------------- */
 
-/* Whether text is a decimal number and nothing else: strtod() alone would also take nan, inf and hexadecimal digits. */
+/* Whether text is a decimal number and nothing else: strtod() alone would also take nan, inf and hexadecimal
+   digits. */
 static PetscBool ExpressionReadNumber_Private(const char text[], PetscReal *number)
 {
   char *end;
@@ -63,7 +64,7 @@ static PetscBool ExpressionReadNumber_Private(const char text[], PetscReal *numb
   return !*end ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* The same for a formula that is too long to ask muParser for words. */
+/* Describes the error in a formula that is too long for muParser's own message. */
 static void ExpressionDescribeLong_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
 {
   enum { TOO_LONG = 37, SHOWN = 40 }; // ecEXPRESSION_TOO_LONG of muParser's C++ header
@@ -78,7 +79,8 @@ static void ExpressionDescribeLong_Private(muParserHandle_t parser, const char f
     snprintf(words, len, "it cannot be read from letter %d on, '%.*s...'", place + 1, SHOWN, formula + place);
 }
 
-/* What a text in the manner of another language should be, as the end of a sentence; "" where nothing is known. [in] place - of the complaint */
+/* The correct form of a construct of another language, as the end of a sentence; "" if there is none.
+   [in] place - of the error */
 static const char *ExpressionAdvise_Private(const char formula[], size_t place)
 {
   static const char *const other[][2] = {{"**", "; a power is x^2"},
@@ -116,8 +118,8 @@ static void ExpressionDescribeName_Private(const char text[], const char advice[
              nearest ? nearest : "", nearest ? "'" : "", advice);
 }
 
-/* muParser's complaint in words that go on with our sentence. Its getters share one buffer: each is used up before the next.
-   They write what they quote of the formula into it without a look at its end. */
+/* muParser's error as a part of our sentence. Its getters share one buffer, so each result is used before the
+   next call. They write quotations into this buffer without a check of its length. */
 static void ExpressionDescribeError_Private(muParserHandle_t parser, const char formula[], char words[], size_t len)
 {
   enum { UNKNOWN_NAME = 1, SAFE = 1024 }; // ecUNASSIGNABLE_TOKEN of muParser's C++ header; half of its buffer
@@ -164,7 +166,7 @@ static void ExpressionCompileFormula_Private(Expression e, const char text[], Co
     mupDefineVar(parser, variable_names[v], &e->x[v % 3]);
   mupDefineVar(parser, "t", &time_value);
   mupSetExpr(parser, text);
-  failed = mupError(parser) ? PETSC_TRUE : PETSC_FALSE; // asking takes the answer away
+  failed = mupError(parser) ? PETSC_TRUE : PETSC_FALSE; // the call resets the error
   if (!failed) {
     component->number = mupEval(parser); // the byte code is made at the first evaluation
     failed            = mupError(parser) ? PETSC_TRUE : PETSC_FALSE;
@@ -277,7 +279,7 @@ static PetscErrorCode ExpressionRead_Private(Expression e, PetscBool allow_free,
     const size_t length = ExpressionComponentLength_Private(text);
 
     PetscCall(ExpressionCopyTrimmed_Private(text, length, &part));
-    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // muParser computes what is constant in a formula
+    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // muParser evaluates constant parts of a formula
     ExpressionReadComponent_Private(e, part, allow_free, &e->components[c], complaint, len);
     PetscCall(PetscFPTrapPop());
     PetscCall(PetscFree(part));
@@ -329,8 +331,7 @@ PetscErrorCode ExpressionCreateSwitches(Expression e, Expression *switches)
   PetscCall(PetscFree(list));
   (*switches)->meridian = e->meridian;
   PetscCall(ExpressionRead_Private(*switches, PETSC_FALSE, complaint, sizeof(complaint)));
-  if (complaint[0] || (*switches)->constant)
-    PetscCall(ExpressionDestroy(switches)); // zero nowhere, or not for us to read
+  if (complaint[0] || (*switches)->constant) PetscCall(ExpressionDestroy(switches)); // never zero, or not readable
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -379,7 +380,7 @@ PetscBool ExpressionNames(Expression e, const char name[])
   return PETSC_FALSE;
 }
 
-/* --- asking ------------------------------------------------------------------------------------------------------- */
+/* --- asking --------------------------------------------------------------------------------------------- */
 
 PetscInt ExpressionSize(Expression e)
 {
@@ -406,7 +407,7 @@ const char *ExpressionText(Expression e)
   return e->text;
 }
 
-/* --- evaluating --------------------------------------------------------------------------------------------------- */
+/* --- evaluating ----------------------------------------------------------------------------------------- */
 
 PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[], PetscReal values[])
 {
@@ -415,7 +416,7 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
     for (PetscInt d = 0; d < 3; d++) e->x[d] = d < dim ? x[d] : 0;
   if (e->meridian) e->x[2] = e->x[1];
   if (!e->constant)
-    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // a formula may divide by zero: its caller judges the value
+    PetscCall(PetscFPTrapPush(PETSC_FP_TRAP_OFF)); // a formula may divide by zero: the caller checks the value
   for (PetscInt c = 0; c < e->num_components; c++) {
     Component *component = &e->components[c];
 

@@ -1,4 +1,5 @@
-/* interrupt.c -- see the header. A handler may do next to nothing: the sentence is made beforehand, and said by write(). */
+/* interrupt.c -- see the header. A handler may call few functions: the sentence is prepared, and printed by
+   write(). */
 #include "base/compat.h"
 #include "base/interrupt.h"
 #include <pthread.h>
@@ -12,7 +13,7 @@ static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGPIPE
 enum { NUM_SIGNALS = sizeof(signals) / sizeof(signals[0]) };
 
 static struct {
-  volatile sig_atomic_t held, waiting; /* how often signals were told to wait; the one that does */
+  volatile sig_atomic_t held, waiting; /* nested InterruptHold() calls; the waiting signal */
   volatile sig_atomic_t length;        /* of the sentence */
   int                   depth;         /* of InterruptBegin() */
   pthread_t             thread;        /* that called it: the one that computes */
@@ -26,7 +27,7 @@ void InterruptCleanUp(void)
   if (state.clean) (*state.clean)();
 }
 
-/* Cleans up, says the sentence and dies of the signal. */
+/* Cleans up, prints the sentence and ends by the signal. */
 static void InterruptEndProcess_Private(int number)
 {
   ssize_t done = 0;
@@ -38,7 +39,8 @@ static void InterruptEndProcess_Private(int number)
   (void)raise(number);
 }
 
-/* MPI has threads of its own, and any of them may be given a signal, while the one that writes goes on. */
+/* MPI has threads of its own. A signal may arrive in any of them while the main thread writes: it is passed
+   on to that one. */
 static void InterruptSignalFn(int number)
 {
   if (!pthread_equal(pthread_self(), state.thread))
@@ -63,7 +65,8 @@ PetscErrorCode InterruptBegin(void)
   (void)sigemptyset(&action.sa_mask);
   for (int s = 0; s < NUM_SIGNALS; s++) {
     (void)sigaction(signals[s], NULL, &state.before[s]);
-    if (state.before[s].sa_handler != SIG_IGN) (void)sigaction(signals[s], &action, NULL); // nohup stays nohup
+    if (state.before[s].sa_handler != SIG_IGN)
+      (void)sigaction(signals[s], &action, NULL); // ignored signals stay ignored, as by nohup
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -89,7 +92,7 @@ void InterruptRelease(void)
 
 void InterruptSetSentence(const char sentence[])
 {
-  InterruptHold(); // a sentence is not said while it changes
+  InterruptHold(); // a sentence is not printed while it changes
   state.length = 0;
   (void)strncpy(state.sentence, sentence, SENTENCE_LENGTH - 1);
   state.length = (sig_atomic_t)strlen(state.sentence);

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include "base/json.h"
 
-enum { DIGITS_MIN = 15, DIGITS_MAX = 17 }; /* any double is told apart by 17 significant digits, most by 15 */
+enum { DIGITS_MIN = 15, DIGITS_MAX = 17 }; /* 17 significant digits identify any double, 15 most of them */
 
 static cJSON *JSONCreateReal_Private(PetscReal value)
 {
   char text[40];
 
-  // the infinity of PETSc is a number: what was never found, as the least gap of no node
+  // PETSC_INFINITY is a finite number: the initial value of a minimum, as of the gaps of no node
   if (PetscIsInfOrNanReal(value) || PetscAbsReal(value) == PETSC_INFINITY) return cJSON_CreateNull();
   for (int digits = DIGITS_MIN; digits <= DIGITS_MAX; digits++) {
     snprintf(text, sizeof(text), "%.*g", digits, (double)value);

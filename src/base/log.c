@@ -1,4 +1,5 @@
-/* log.c -- stages: named in PETSc's log, and timed here as well, since PETSc keeps no times without -log_view. */
+/* log.c -- stages: named in PETSc's log, and timed here as well, since PETSc keeps no times without
+   -log_view. */
 #include "base/compat.h"
 #include "base/log.h"
 #include <math.h>
@@ -46,7 +47,7 @@ PetscErrorCode LogInitialize(double start)
     if (journal.handle[s] < 0) PetscCall(PetscLogStageRegister(stage_names[s], &journal.handle[s]));
   }
   PetscCall(LogReset(start));
-  journal.worked = 0; // PETSc's own beginning is part of the program
+  journal.worked = 0; // the start of PETSc is part of the program
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

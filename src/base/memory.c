@@ -1,7 +1,9 @@
-/* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage(); libraries that run out of memory.
+/* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage(); lack of memory in
+   libraries.
 
-   Linux keeps the peak as VmHWM in /proc/self/status and sets it back to the present value when a 5 is written to
-   /proc/self/clear_refs (man 5 proc). getrusage() knows the peak since the process began, and cannot be set back. */
+   Linux keeps the peak as VmHWM in /proc/self/status and sets it back to the present value when a 5 is
+   written to /proc/self/clear_refs (man 5 proc). getrusage() knows the peak since the process began, and
+   cannot be set back. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include "base/compat.h"
@@ -15,11 +17,11 @@
 #include <malloc.h>
 #endif
 
-/* Bytes of the units that are counted in: by Linux in /proc and getrusage(), and by macOS in getrusage(). */
+/* Bytes of a unit: KILOBYTE in /proc and getrusage() of Linux, BYTE in getrusage() of macOS. */
 enum { KILOBYTE = 1024, BYTE = 1 };
 
-/* Bytes that have to be left before BLAS is asked for the first time: OpenBLAS takes 128 MB of addresses, hardly any of it
-   memory, and repeats the request without end until it gets them. */
+/* Bytes of addresses that must be free before the first call of BLAS. OpenBLAS takes 128 MB of addresses, few
+   of them in memory, and repeats the request without end until it gets them. */
 static const size_t BLAS_BUFFER = (size_t)160 << 20;
 
 static void *MemoryAllocateFn(size_t size)
@@ -60,7 +62,7 @@ static PetscReal MemoryGetPeakFromProc_Private(void)
   return size ? (PetscReal)size * KILOBYTE : NAN;
 }
 
-/* What Linux could give without writing memory to disks; NAN elsewhere. */
+/* Memory that Linux can give without swapping; NAN on other systems. */
 static PetscReal MemoryGetAvailable_Private(void)
 {
   FILE         *file = fopen("/proc/meminfo", "r");
@@ -107,7 +109,7 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done)
   file = PetscIsNanReal(MemoryGetPeakFromProc_Private()) ? NULL : fopen("/proc/self/clear_refs", "w");
   if (file) {
     ok = fputs(reset, file) >= 0;
-    ok = !fclose(file) && ok; // what is written shows at the latest when the file is closed
+    ok = !fclose(file) && ok; // a failed write is noticed at the latest when the file is closed
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &ok, 1, MPI_INT, MPI_MIN, comm));
   *done = ok ? PETSC_TRUE : PETSC_FALSE;
@@ -125,7 +127,7 @@ PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffice
   PetscCallMPI(MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine));
   PetscCallMPI(MPI_Allreduce(&bytes, &together, 1, MPIU_REAL, MPI_SUM, machine));
   PetscCallMPI(MPI_Comm_free(&machine));
-  *suffices = (PetscBool) !(together > available); // nothing is known where that is no number
+  *suffices = (PetscBool) !(together > available); // true also for NAN, where nothing is known
   if (!getrlimit(RLIMIT_AS, &limit) && limit.rlim_cur != RLIM_INFINITY && bytes > (PetscReal)limit.rlim_cur)
     *suffices = PETSC_FALSE;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, suffices, 1, MPIU_BOOL, MPI_LAND, comm));

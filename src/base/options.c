@@ -1,7 +1,7 @@
 /* options.c -- one argument list from the command line and the files that it names.
 
-   The first rank reads and checks everything (optionsreader.c), then two lists are broadcast: the arguments, and the files that
-   were read (their folders are where meshes are looked for). */
+   The first rank reads and checks everything (optionsreader.c), then two lists are broadcast: the arguments,
+   and the files that were read (their folders are where meshes are looked for). */
 #include "base/optionsreader.h"
 #include "base/compat.h"
 #include "base/options.h"
@@ -11,12 +11,12 @@
 #include <string.h>
 #include <strings.h>
 
-static TextList arguments; /* what PETSc gets */
-static TextList listed;    /* what OptionsGetGiven() tells, where that is not in the arguments */
+static TextList arguments; /* the list for PETSc */
+static TextList listed;    /* words for OptionsGetGiven() that are not in the arguments */
 static TextList files;     /* options files as found, in the order of reading; the first as typed */
 static TextList repeated;  /* sentences on options that one file gives two values */
 
-/* What PETSc would read of itself: its files in the order of its own reader, then its variable. */
+/* Reads PETSc's default files in the order of its own reader, then its environment variable. */
 static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
 {
   const char *home = getenv("HOME"), *variable = getenv("PETSC_OPTIONS");
@@ -37,7 +37,7 @@ static void OptionsReadDefaults_Private(Reader *reader, int skip_files)
   }
 }
 
-/* The command line, whose own options wait until the files that it names are read. */
+/* Reads the command line: first the files that it names, then its own options. */
 static void OptionsReadCommandLine_Private(Reader *reader, int argc, char **argv)
 {
   Word    *words = TextListAllocate(NULL, (size_t)argc * sizeof(*words));
@@ -61,7 +61,7 @@ static int OptionsIsExpanded_Private(const char word[])
   return 0;
 }
 
-/* A prefix that is not taken back would stand before options of the program, too. */
+/* Checks that prefixes end: else the prefix would precede options of the program, too. */
 static void OptionsCheckPrefixes_Private(char sentence[], size_t len)
 {
   const char *open  = NULL;
@@ -102,7 +102,7 @@ void OptionsExpand(int argc, char **argv, int *argc_out, char ***argv_out, char 
     OptionsReadDefaults_Private(&reader, skip_files);
     OptionsReadCommandLine_Private(&reader, argc, argv);
     OptionsCheckPrefixes_Private(sentence, len);
-    TextListAppend(&arguments, "-skip_petscrc"); // PETSc need not read again what is in the list
+    TextListAppend(&arguments, "-skip_petscrc"); // its contents are in the list already
   }
   unsetenv("PETSC_OPTIONS");
   (void)MPI_Bcast(sentence, (int)len, MPI_CHAR, 0, MPI_COMM_WORLD);
@@ -127,7 +127,7 @@ PetscErrorCode OptionsJoin(void)
 }
 
 /* The words of the present database: -name value -name ... [out] words - to be cleared by the caller */
-static PetscErrorCode ReadDatabase_Private(TextList *words)
+static PetscErrorCode OptionsReadDatabase_Private(TextList *words)
 {
   char *all, *end;
 
@@ -150,7 +150,7 @@ static PetscErrorCode ReadDatabase_Private(TextList *words)
 }
 
 /* Whether a list of names and values has a name among its first num items. */
-static int HasName_Private(const TextList *words, int num, const char name[])
+static int TextListHasName_Private(const TextList *words, int num, const char name[])
 {
   for (int i = 0; i < num; i += 2)
     if (!strcasecmp(words->items[i], name)) return 1;
@@ -184,12 +184,12 @@ PetscErrorCode OptionsInsertFile(const char name[])
   error = UserErrorCheck(MPI_COMM_WORLD, sentence);
   if (error) TextListClear(&read);
   PetscCall(error);
-  PetscCall(ReadDatabase_Private(&present));
+  PetscCall(OptionsReadDatabase_Private(&present));
   num = present.num;
   for (int i = 0; i < read.num; i++) {
     const int value = i + 1 < read.num && !OptionsReaderIsName(read.items[i + 1]);
 
-    if (!HasName_Private(&present, num, read.items[i]))
+    if (!TextListHasName_Private(&present, num, read.items[i]))
       PetscCall(PetscOptionsSetValue(NULL, read.items[i], value ? read.items[i + 1] : NULL));
     i += value;
   }
@@ -204,7 +204,7 @@ PetscErrorCode OptionsCopyPrefixed(const char prefix[], PetscOptions target)
   TextList     words;
 
   PetscFunctionBeginUser;
-  PetscCall(ReadDatabase_Private(&words));
+  PetscCall(OptionsReadDatabase_Private(&words));
   for (int i = 0; i < words.num; i += 2) {
     const char *value = NULL;
     char        name[PETSC_MAX_OPTION_NAME];
@@ -224,7 +224,7 @@ PetscErrorCode OptionsListDatabase(void)
   TextList words;
 
   PetscFunctionBeginUser;
-  PetscCall(ReadDatabase_Private(&words));
+  PetscCall(OptionsReadDatabase_Private(&words));
   TextListClear(&listed);
   TextListAppend(&listed, "mortise");
   for (int i = 0; i < words.num; i++)
@@ -269,7 +269,7 @@ static int OptionsCompareGiven_Private(const void *a, const void *b)
   return strcasecmp(((const OptionGiven *)a)->name, ((const OptionGiven *)b)->name);
 }
 
-/* Puts an option into a list, over one of the same name: PETSc does not tell capitals from small letters. */
+/* Puts an option into a list, in place of one of the same name; PETSc ignores case. */
 static void OptionsPutGiven_Private(OptionGiven given[], PetscInt *num, OptionGiven option)
 {
   PetscInt i = 0;

@@ -11,8 +11,8 @@
 #include <sys/stat.h>
 
 enum {
-  MAX_SIZE  = 1 << 22, /* bytes of a file: text that a person would not write */
-  MAX_NOTED = 1 << 12  /* options of a file that are compared with each other, for the same reason */
+  MAX_SIZE  = 1 << 22, /* bytes of a file: no longer text written by hand */
+  MAX_NOTED = 1 << 12  /* options of a file that are compared with each other */
 };
 
 /* Tells the first mistake; later ones are its consequences. */
@@ -39,7 +39,7 @@ int OptionsReaderIsWord(const char word[], const char name[])
   return !strcasecmp(word[1] == '-' ? word + 1 : word, name); // PETSc ignores case, and takes --name for -name
 }
 
-/* --- files ------------------------------------------------------------------------------------------------------ */
+/* --- files ---------------------------------------------------------------------------------------------- */
 
 int OptionsReaderCanRead(const char path[])
 {
@@ -47,7 +47,7 @@ int OptionsReaderCanRead(const char path[])
   FILE       *file;
 
   if (stat(path, &status) || S_ISDIR(status.st_mode)) return 0;
-  file = S_ISREG(status.st_mode) ? fopen(path, "r") : NULL; // opening a pipe would take its content away
+  file = S_ISREG(status.st_mode) ? fopen(path, "r") : NULL; // opening a pipe would consume its content
   if (file) fclose(file);
   return file || !S_ISREG(status.st_mode);
 }
@@ -93,11 +93,12 @@ char *OptionsReaderSlurp(Reader *reader, const char path[])
   return NULL;
 }
 
-/* --- words ------------------------------------------------------------------------------------------------------ */
+/* --- words ---------------------------------------------------------------------------------------------- */
 
 static void OptionsReaderReadFile_Private(Reader *reader, const char where[], const char name[]);
 
-/* Whether a word that PETSc takes for an option's name is something else: a formula, or a text with spaces. */
+/* Whether a word that PETSc takes for an option's name is something else: a formula, or a text with
+   spaces. */
 static int OptionsReaderIsFormula_Private(const Word *word)
 {
   return OptionsReaderIsName(word->text) && (word->quoted || strpbrk(word->text, "()*/^, "));
@@ -131,7 +132,8 @@ static void OptionsReaderReadString_Private(Reader *reader, const char where[], 
   free(own);
 }
 
-/* Notes an option of a file, and tells where the same file gives it another value. Behind -prefix_push a name is not whole. */
+/* Notes an option of a file, and tells where the same file gives it another value. Behind -prefix_push a name
+   is not whole. */
 static void OptionsReaderNote_Private(Reader *reader, const char where[], const char name[], const char value[])
 {
   TextList *const here = reader->here;
@@ -154,7 +156,8 @@ static void OptionsReaderNote_Private(Reader *reader, const char where[], const 
   TextListAppend(here, where);
 }
 
-/* Reads the option that stands at words[0], with its value if it has one. Returns the number of words taken. */
+/* Reads the option that stands at words[0], with its value if it has one. Returns the number of words
+   taken. */
 static int OptionsReaderReadOption_Private(Reader *reader, const char where[], int num_words, const Word words[])
 {
   const char *name = words[0].text, *next = num_words > 1 ? words[1].text : NULL;
@@ -190,7 +193,8 @@ static int OptionsReaderReadOption_Private(Reader *reader, const char where[], i
   return value ? 2 : 1;
 }
 
-/* Complains about a word that is neither an option nor a value. [in] previous - the option before it, or NULL */
+/* Complains about a word that is neither an option nor a value.
+   [in] previous - the option before it, or NULL */
 static void OptionsReaderRefuseWord_Private(Reader *reader, const char where[], const char word[],
                                             const char previous[])
 {
@@ -222,7 +226,8 @@ void OptionsReaderReadWords(Reader *reader, const char where[], int num_words, c
   }
 }
 
-/* Cuts a line into words in place, and its comment off. [out] words - array of shape [strlen(line)] at least */
+/* Cuts a line into words in place, and its comment off.
+   [out] words - array of shape [strlen(line)] at least */
 static int OptionsReaderSplitLine_Private(Reader *reader, const char where[], char line[], Word words[])
 {
   static const char blanks[]  = " \t\r\f\v";

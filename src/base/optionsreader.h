@@ -1,7 +1,7 @@
 /* optionsreader.h -- options in words, lines and files, until the first mistake.
 
-   Nothing here may call PETSc, which has not begun yet, except PetscOptionsValidKey(), which decides like PETSc's own
-   parser whether a word is an option. First rank only; not collective. */
+   Nothing here may call PETSc, which has not begun yet, except PetscOptionsValidKey(), which decides like
+   PETSc's own parser whether a word is an option. First rank only; not collective. */
 #ifndef BASE_READER_H
 #define BASE_READER_H
 
@@ -15,13 +15,12 @@ typedef struct {
   int   quoted;
 } Word;
 
-/* What reading needs to know: where the first mistake is told, the list that options go to, the lists of all arguments and
-   of the files that were read, and the files that are open, outermost first. */
+/* State of reading: the first mistake, the lists that are written, and the open files, outermost first. */
 typedef struct {
   char     *sentence;
   size_t    len;
   TextList *target;
-  TextList *arguments; // where options of files go
+  TextList *arguments; // options of files
   TextList *files;     // as found, in the order of reading; the first as typed
   TextList *repeated;  // optional, may be NULL: for each option that one file gives two values, where, as a sentence
   TextList *here;     // name, value and line of each option of the file that is being read, in turn; NULL outside files

@@ -1,7 +1,8 @@
-/* switching.c -- reads where a formula may jump or bend.
+/* switching.c -- finds the conditions by which a formula may jump or bend.
 
-   A formula is a smooth function between zeros of its switching functions. Conditions and arguments are parts of the text, so that
-   these functions are formulas as well. Operators that bind less than comparisons end an operand: ? : && || and commas. */
+   A formula is a smooth function between zeros of its switching functions. Conditions and arguments are parts
+   of the text, so that these functions are formulas as well. Operators that bind less than comparisons end an
+   operand: ? : && || and commas. */
 #include "base/compat.h"
 #include "base/switching.h"
 #include <ctype.h>
@@ -29,7 +30,7 @@ static Part PartTrim_Private(Part part)
   return part;
 }
 
-/* Adds head, first, and where there is a second one `)-(` and that, and tail. What is there already is left. */
+/* Adds head, the first part, with a second one `)-(` and that, and tail, unless it is there already. */
 static PetscErrorCode SwitchesAdd_Private(Switches *switches, const char head[], Part given, const Part *second,
                                           const char tail[])
 {
@@ -63,7 +64,7 @@ static const char *PartFind_Private(Part part, const char stops[])
   return part.end;
 }
 
-/* Those of a call, and of its arguments. [in] name - without a letter for parentheses that are no call */
+/* Adds those of a call, and of its arguments. [in] name - empty for parentheses that are no call */
 static PetscErrorCode SwitchesScanCall_Private(Switches *switches, Part name, Part inside)
 {
   static const char *const bends[] = {"abs", "sign", "atan2"};
@@ -92,7 +93,7 @@ static PetscErrorCode SwitchesScanCall_Private(Switches *switches, Part name, Pa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Those of the parentheses in an operand. */
+/* Adds those of the parentheses in an operand. */
 static PetscErrorCode SwitchesScanOperand_Private(Switches *switches, Part part)
 {
   PetscFunctionBeginUser;
@@ -109,8 +110,8 @@ static PetscErrorCode SwitchesScanOperand_Private(Switches *switches, Part part)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* a - b for every a < b, a <= b, a > b, a >= b. Comparisons go from left to right: a is all that is before one. Equality holds nowhere
-   but on lines. */
+/* Adds a - b for every a < b, a <= b, a > b, a >= b. Comparisons associate to the left: a is the whole part
+   before. Equality has no area, and is ignored. */
 static PetscErrorCode SwitchesScanComparisons_Private(Switches *switches, Part part)
 {
   Part operand = part;

@@ -1,8 +1,9 @@
 /* terminal.c -- whether the output is a terminal.
 
-   Under mpiexec isatty() is true on the first rank even if the output of mpiexec is a file: Open MPI gives the ranks of its own
-   machine pseudo-terminals. MPI has no call that tells. The output of mpiexec is that of the parent process, and Linux shows
-   it in /proc. Without this, the progress table of a parallel run would either fill log files or be missing on terminals. */
+   Under mpiexec isatty() is true on the first rank even if the output of mpiexec is a file: Open MPI gives
+   the ranks of its own machine pseudo-terminals. MPI has no call for this. The output of mpiexec is that of
+   the parent process, which Linux lists in /proc. Without this, the progress table of a parallel run would
+   either fill log files or be missing on terminals. */
 #include "base/compat.h"
 #include "base/terminal.h"
 #include <fcntl.h>

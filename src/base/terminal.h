@@ -4,7 +4,8 @@
 
 #include <petscsys.h>
 
-/* Whether the output of the first rank is a terminal; under mpiexec, whether that of mpiexec is. Collective. */
+/* Whether the output of the first rank is a terminal; under mpiexec, whether that of mpiexec is.
+   Collective. */
 PetscErrorCode TerminalIsPresent(MPI_Comm comm, PetscBool *there);
 
 #endif

@@ -1,12 +1,14 @@
-/* threads.h -- threads of libraries, which ranks would share the processors with. */
+/* threads.h -- threads of libraries, which compete with other ranks for the processors. */
 #ifndef MORTISE_THREADS_H
 #define MORTISE_THREADS_H
 
 #include <petscsys.h>
 
-/* Takes the threads of CHOLMOD and OpenBLAS away, unless the environment asks for a number. Not collective; for the program, once. */
+/* Limits CHOLMOD and OpenBLAS to one thread, unless the environment sets a number. Not collective; for the
+   program, once. */
 void ThreadsLimit(void);
-/* Gives OpenBLAS its threads back for one large computation, or takes them away again. Nothing happens without ThreadsLimit(). Not collective. */
+/* Restores the threads of OpenBLAS for one large computation, or limits them again. No effect without
+   ThreadsLimit(). Not collective. */
 void ThreadsAllow(PetscBool allow);
 
 #endif

@@ -1,8 +1,9 @@
-/* usererror.c -- one sentence for a user's mistake, and silence from everybody else.
+/* usererror.c -- one sentence for a user's mistake, without other messages.
 
-   PETSc reports an error by calling the topmost handler once where it arises (PETSC_ERROR_INITIAL) and once more in each
-   caller up to main() (PETSC_ERROR_REPEAT); what the handler returns is the code that travels on. So a handler can both
-   keep silent and change one code into another, which is how PETSc's complaints about options become user errors. */
+   PETSc reports an error by calling the topmost handler once where it arises (PETSC_ERROR_INITIAL) and once
+   more in each caller up to main() (PETSC_ERROR_REPEAT); the handler returns the code for the callers. So a
+   handler can both be silent and change one code into another: PETSc's errors about options become user
+   errors. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "base/interrupt.h"
@@ -39,8 +40,8 @@ static void UserErrorTell_Private(MPI_Comm comm, const char sentence[])
   fflush(stderr);
 }
 
-/* Whether PETSc complains about what the user typed: where it reads options, or about the name of a type, of a file or of a
-   solver for this kind of matrix, which come from nowhere else here. */
+/* Whether an error of PETSc is about the user's input. These are errors while it reads options, and unknown
+   names of a type, of a file, or of a solver for this kind of matrix: here all of them come from options. */
 static PetscBool UserErrorIsOption_Private(const char function[], PetscErrorCode code)
 {
   if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_FILE_OPEN || code == PETSC_ERR_MISSING_FACTOR)
@@ -78,7 +79,8 @@ static PetscBool UserErrorIsYAML_Private(const char message[], const char option
                      (!strcasecmp(option, "-options_file_yaml") || !strcasecmp(option, "-options_string_yaml")));
 }
 
-/* The place in the argument list of the one option whose name or value the message quotes; 0 if none, or not one alone. */
+/* The place in the argument list of the one option whose name or value the message quotes; 0 if none, or not
+   one alone. */
 static int UserErrorFindOption_Private(const char message[], int num, char *const arguments[])
 {
   int found = 0;
@@ -104,7 +106,7 @@ static PetscErrorCode UserErrorFromPETSc_Private(const char message[])
 {
   char   sentence[USER_ERROR_LENGTH], value[VALUE_LENGTH] = "";
   char **arguments;
-  int    num, option, length = (int)strcspn(message, "\n"); // the rest is PETSc's advice on installing packages
+  int    num, option, length = (int)strcspn(message, "\n"); // the rest is advice on installing packages
 
   while (length && (isspace((unsigned char)message[length - 1]) || message[length - 1] == '.')) length--;
   option = PetscGetArgs(&num, &arguments) ? 0 : UserErrorFindOption_Private(message, num, arguments);
@@ -118,7 +120,7 @@ static PetscErrorCode UserErrorFromPETSc_Private(const char message[])
   return MORTISE_ERR_USER;
 }
 
-/* Whether PETSc's table of options is full, which it calls a want of memory. */
+/* Whether PETSc's table of options is full, which it reports as a lack of memory. */
 static PetscBool UserErrorIsTable_Private(const char function[], PetscErrorCode code, PetscErrorType type)
 {
   return code == PETSC_ERR_MEM && type == PETSC_ERROR_INITIAL && function &&
@@ -199,7 +201,7 @@ static void UserErrorEnd_Private(void)
   _exit(MORTISE_FAILED);
 }
 
-/* A signal is a failure of the program: no other rank can be told but by ending all. */
+/* A signal is a failure of the program: other ranks cannot be notified, so all are ended. */
 static PetscErrorCode UserErrorSignalFn(int number, void *context)
 {
   int rank;
@@ -211,7 +213,7 @@ static PetscErrorCode UserErrorSignalFn(int number, void *context)
   return 0;
 }
 
-/* Of a library that gives up; PETSc leaves this signal alone. */
+/* abort() by a library; PETSc does not handle this signal. */
 static void UserErrorAbortFn(int number)
 {
   (void)UserErrorSignalFn(number, NULL);
@@ -223,7 +225,7 @@ PetscErrorCode UserErrorCatchSignals(void)
   PetscCall(PetscPushSignalHandler(UserErrorSignalFn, NULL));
   PetscCall(PetscRegisterFinalize(PetscPopSignalHandler));
   (void)signal(SIGABRT, UserErrorAbortFn);
-  (void)signal(SIGPIPE, SIG_DFL); // those that InterruptBegin() sees to are not for PETSc
+  (void)signal(SIGPIPE, SIG_DFL); // the signals of InterruptBegin() are not for PETSc
   (void)signal(SIGHUP, SIG_DFL);
   (void)signal(SIGQUIT, SIG_DFL);
   (void)signal(SIGXFSZ, SIG_IGN); // writing beyond a limit then fails like writing to a full disk
@@ -245,7 +247,9 @@ PetscErrorCode UserErrorInitialize(void)
   PetscCall(PetscInitialized(&begun));
   PetscCall(PetscPushErrorHandler(UserErrorHandlerFn, NULL));
   installed = PETSC_TRUE;
-  if (begun) PetscCall(PetscRegisterFinalize(PetscPopErrorHandler)); // else it is no memory of PETSc's books
+  if (begun)
+    PetscCall(
+        PetscRegisterFinalize(PetscPopErrorHandler)); // before PetscInitialize() it is not in PETSc's list of memory
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -263,7 +267,7 @@ PetscErrorCode UserErrorLeave(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The handler before this one is known to PETSc alone: it is asked while this one is away. */
+/* Only PETSc knows the handler before this one: it is called while this one is removed. */
 static PetscErrorCode SilentHandlerFn(MPI_Comm comm, int line, const char *function, const char *file,
                                       PetscErrorCode code, PetscErrorType type, const char *message, void *context)
 {
@@ -325,8 +329,9 @@ PetscErrorCode UserErrorCheck(MPI_Comm comm, const char sentence[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Levenshtein's distance, the least number of letters inserted, deleted or exchanged, ignoring case. One row of the table
-   at a time: distance[j] belongs to the first i letters of a and the first j of b. [in] distance - workspace [length of b + 1] */
+/* Levenshtein's distance, the least number of letters inserted, deleted or exchanged, ignoring case. One row
+   of the table at a time: distance[j] belongs to the first i letters of a and the first j of b.
+   [in] distance - workspace [length of b + 1] */
 static size_t UserErrorEditDistance_Private(const char a[], const char b[], size_t distance[])
 {
   const size_t length_a = strlen(a), length_b = strlen(b);
@@ -356,7 +361,7 @@ const char *UserErrorNearest(const char misspelt[], PetscInt num_names, const ch
   workspace = malloc((longest + 1) * sizeof(*workspace));
   if (!workspace) return NULL;
   least = PetscMin((strlen(misspelt) + 2) / 3 + 1,
-                   strlen(misspelt)); // more than a third of the letters wrong is another word
+                   strlen(misspelt)); // with more than a third of the letters wrong it is another word
   for (PetscInt n = 0; n < num_names; n++) {
     const size_t distance = UserErrorEditDistance_Private(misspelt, names[n], workspace);
 

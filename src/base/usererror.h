@@ -1,20 +1,21 @@
 /* usererror.h -- a user's mistake as one sentence and an exit code.
 
-   A mistake of the user is not an internal error: it is told in one sentence on stderr by the first rank, without a
-   stack trace, and ends the program with exit code 1 on every number of ranks. A user error travels through PetscCall() as
-   the error code MORTISE_ERR_USER; the handler installed by UserErrorInitialize() keeps PETSc silent about it. */
+   A mistake of the user is not an internal error. The first rank prints one sentence on stderr, without a
+   stack trace, and the program ends with exit code 1 on any number of ranks. A user error is returned through
+   PetscCall() as the error code MORTISE_ERR_USER; the handler installed by UserErrorInitialize() keeps PETSc
+   silent about it. */
 #ifndef MORTISE_USERERROR_H
 #define MORTISE_USERERROR_H
 
 #include <petscsys.h>
 
-/* The code that a user error travels under; outside the range of PETSc's own codes. */
+/* The error code of a user error; outside the range of PETSc's own codes. */
 #define MORTISE_ERR_USER ((PetscErrorCode)4711)
 
 /* Longest sentence, with its final zero: room for a few option names, a path and a list of choices. */
 enum { USER_ERROR_LENGTH = 8192 };
 
-/* What the program tells the shell. */
+/* Exit codes of the program. */
 typedef enum {
   MORTISE_SOLVED        = 0, /* solved, and the certificate holds */
   MORTISE_USER_ERROR    = 1, /* the scene is wrong */
@@ -23,31 +24,36 @@ typedef enum {
   MORTISE_FAILED        = 4  /* the program itself failed */
 } MortiseExit;
 
-/* Installs the error handler. It is silent for MORTISE_ERR_USER; it turns PETSc's own complaints about an option's value
-   (a word where a number belongs, an unknown type) into user errors; it says one sentence when memory runs out or a file cannot be
-   written; anything else gets PETSc's traceback. Not collective; call once, before PetscInitialize() to cover that as well, or after. */
+/* Installs the error handler. It is silent for MORTISE_ERR_USER; it turns PETSc's own complaints about an
+   option's value (a word where a number belongs, an unknown type) into user errors; it prints one sentence
+   when memory runs out or a file cannot be written. Other errors get PETSc's traceback. Not collective; call
+   once, before PetscInitialize() to include its errors, or after. */
 PetscErrorCode UserErrorInitialize(void);
 
-/* The same handler for the calls of a library within a program that has errors of its own. Not collective; PETSc runs. */
+/* The same handler for the calls of a library within a program that has errors of its own. Not collective;
+   PETSc runs. */
 PetscErrorCode UserErrorEnter(void);
 PetscErrorCode UserErrorLeave(void);
-/* Between those calls: MORTISE_ERR_USER goes up without a traceback, all else is for the handler that was there before, or for PETSc's
-   traceback where UserErrorInitialize() was called. Not collective; PETSc runs. */
+/* Between those calls: MORTISE_ERR_USER is returned without a traceback. Other errors are for the handler
+   before, or for PETSc's traceback where UserErrorInitialize() was called. Not collective; PETSc runs. */
 PetscErrorCode UserErrorSilence(void);
 PetscErrorCode UserErrorUnsilence(void);
-/* Whether sentences are kept from stderr: the caller of the library asks for them. Not collective. */
+/* Whether sentences are not printed on stderr: the caller of the library gets them by a call.
+   Not collective. */
 void UserErrorSetQuiet(PetscBool quiet);
 
-/* Lets a crash end all ranks with exit code MORTISE_FAILED and one sentence; takes signals that end the program in the hands
-   of interrupt.h, and a limit on the size of files for a full disk. Not collective; call after PetscInitialize(). */
+/* From now on a crash ends all ranks with exit code MORTISE_FAILED and one sentence. Signals that end the
+   program are handled by interrupt.h; a limit on the size of files acts like a full disk. Not collective;
+   call after PetscInitialize(). */
 PetscErrorCode UserErrorCatchSignals(void);
 
-/* Memory ran out where no error can be returned: says so and ends all ranks with exit code MORTISE_FAILED. Not collective;
-   MPI is initialized. Does not return. */
+/* For lack of memory where no error can be returned: prints it and ends all ranks with exit code
+   MORTISE_FAILED. Not collective; MPI is initialized. Does not return. */
 void UserErrorEndMemory(void);
 
 /* Raises a user error that all ranks know of: the first rank prints "mortise: <sentence>" on stderr.
-   Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_USER: write PetscCall(UserErrorRaise(...)).
+   Collective on comm, the same arguments on all ranks. Returns MORTISE_ERR_USER: write
+   PetscCall(UserErrorRaise(...)).
    [in] format - printf format of the sentence, without a final newline */
 PetscErrorCode UserErrorRaise(MPI_Comm comm, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
 
@@ -56,10 +62,12 @@ PetscErrorCode UserErrorRaise(MPI_Comm comm, const char format[], ...) PETSC_ATT
    [in] sentence - what is wrong as this rank sees it; NULL or "" where nothing is */
 PetscErrorCode UserErrorCheck(MPI_Comm comm, const char sentence[]);
 
-/* The sentence of the last user error, "" before any; the same on all ranks of its communicator. Not collective. */
+/* The sentence of the last user error, "" before any; the same on all ranks of its communicator.
+   Not collective. */
 const char *UserErrorSentence(void);
 
-/* The name in names[] that is nearest to the misspelt one (edit distance), or NULL if none is near. Not collective.
+/* The name in names[] that is nearest to the misspelt one (edit distance), or NULL if none is near.
+   Not collective.
    [in] names - array of shape [num_names], borrowed; the result points into it */
 const char *UserErrorNearest(const char misspelt[], PetscInt num_names, const char *const names[]);
 

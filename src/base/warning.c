@@ -24,7 +24,7 @@ static const char *const CODES[] = {
     "unused_option",
 };
 
-/* The first rank's alone, but for the flags. */
+/* On the first rank only, except for the flags. */
 static struct {
   cJSON    *common, *run, *told; /* of all runs, of this one, all lines that were printed; NULL while empty */
   cJSON    *retained;            /* of runs before this one, while lines wait, each with its label */
@@ -86,7 +86,8 @@ static void WarningAppend_Private(cJSON **list, cJSON *one)
   cJSON_AddItemToArray(*list, one);
 }
 
-/* A line of its own, once in the life of the program; of several runs, the first that has something to say of a body or pair says it. */
+/* Prints a line, once in the life of the program; of several runs, the first with this warning of a body or
+   pair prints it. */
 static void WarningPrint_Private(const Warning *about, const char text[])
 {
   const PetscBool several = (PetscBool)(book.within && book.label[0]);
@@ -125,7 +126,7 @@ static cJSON *WarningCreate_Private(const Warning *about, const char text[])
   return one;
 }
 
-/* As the summary has it. */
+/* A copy for the summary, without private keys. */
 static cJSON *WarningDuplicate_Private(const cJSON *item)
 {
   cJSON *one = cJSON_Duplicate(item, cJSON_True);
@@ -223,7 +224,7 @@ void WarningForgetRetained(void)
   WarningReset_Private(&book.retained);
 }
 
-/* A list's lines, as far as they were not printed. */
+/* Prints the lines of a list that were not printed before. */
 static void WarningPrintList_Private(const cJSON *list)
 {
   const cJSON *item;
