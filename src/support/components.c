@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "support/components.h"
 
-/* The node that stands for the set of a node; paths to it are halved on the way. */
+/* The representative of the set of a node, with path halving. */
 static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)
 {
   while (parent[node] != node) {
@@ -13,8 +13,8 @@ static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)
   return node;
 }
 
-/* Sets of local nodes that this rank's cells join. [out] parent - the node that stands for each one's set
-   [num_nodes] */
+/* Sets of local nodes that this rank's cells join.
+   [out] parent - representative of the set of each node [num_nodes] */
 static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
 {
   for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = i;
@@ -43,7 +43,7 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
   for (PetscInt i = 0; i < level->num_nodes; i++) name[parent[i]] = PetscMax(name[parent[i]], level->node_global[i]);
   while (changed) {
     PetscCall(VecGetArray(local, &n));
-    for (PetscInt i = 0; i < level->num_nodes; i++) n[i] = (PetscReal)name[parent[i]]; // whole numbers below 2^53
+    for (PetscInt i = 0; i < level->num_nodes; i++) n[i] = (PetscReal)name[parent[i]]; // integers below 2^53 are exact
     PetscCall(VecRestoreArray(local, &n));
     PetscCall(LevelShareVec(names, MAX_VALUES));
     changed = PETSC_FALSE;

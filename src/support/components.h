@@ -11,7 +11,8 @@ enum {
   COMPONENT_BOX = 6
 }; /* numbers of a component's box: its largest coordinates, then its smallest ones with the opposite sign */
 
-/* Components of all bodies, body by body, those of one body by the middles of their boxes: along x, then y, then z. */
+/* Components of all bodies, body by body; within a body ordered by the middles of their boxes: along x, then
+   y, then z. */
 typedef struct {
   PetscInt   num;
   PetscInt  *body;    /* of each, ascending; the same on all ranks [num] */

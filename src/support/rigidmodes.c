@@ -1,8 +1,8 @@
 /* rigidmodes.c -- the rigid body modes that supports leave to a component of a body.
 
    Take the rows (d, d.rotation(x)) of all held directions d at places x, with rotations about the component's
-   centre, scaled by half its size. They span all rigid modes exactly if none is left. What they do not span
-   is the kernel of their Gram matrix. */
+   centre, scaled by half its size. They span all rigid modes exactly if none is left. The rest is the kernel
+   of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "support/rigidmodes.h"
@@ -13,7 +13,7 @@
 static const PetscReal RANK_TOLERANCE = 1e-12;
 
 /* Centre and half size of every component. [out] frames - [components->num][4] */
-static void Frames_Private(const Components *components, PetscReal frames[])
+static void RigidModesSetFrames_Private(const Components *components, PetscReal frames[])
 {
   for (PetscInt i = 0; i < components->num; i++) {
     const PetscReal *box    = &components->box[i * COMPONENT_BOX];
@@ -27,8 +27,9 @@ static void Frames_Private(const Components *components, PetscReal frames[])
   }
 }
 
-/* The components (t, r) that are rigid modes of a body of this model. [out] components - [RIGID_COMPONENTS] */
-static PetscInt Components_Private(ModelKind model, PetscInt components[])
+/* The components (t, r) that are rigid modes of a body of this model.
+   [out] components - [RIGID_COMPONENTS] */
+static PetscInt RigidModesGetComponents_Private(ModelKind model, PetscInt components[])
 {
   static const PetscInt plane[] = {0, 1, 5};
 
@@ -41,8 +42,8 @@ static PetscInt Components_Private(ModelKind model, PetscInt components[])
 }
 
 /* One held direction as a row over all components: d . (t + r x a) = d . t + (a x d) . r, a = (x - c) / s. */
-static void Row_Private(PetscInt dim, const PetscReal frame[], const PetscReal x[], const PetscReal d[],
-                        PetscReal row[])
+static void RigidModesSetRow_Private(PetscInt dim, const PetscReal frame[], const PetscReal x[], const PetscReal d[],
+                                     PetscReal row[])
 {
   PetscReal a[3] = {0, 0, 0}, D[3] = {0, 0, 0};
 
@@ -70,8 +71,8 @@ void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[],
 }
 
 /* The kernel of one component's Gram matrix, appended to the list. [in,out] gram - [n][n] */
-static void AddMotions_Private(PetscInt component, PetscInt n, const PetscInt components[], PetscReal gram[],
-                               RigidModes *modes)
+static void RigidModesAddKernel_Private(PetscInt component, PetscInt n, const PetscInt components[], PetscReal gram[],
+                                        RigidModes *modes)
 {
   PetscReal values[RIGID_COMPONENTS], V[RIGID_COMPONENTS * RIGID_COMPONENTS], largest = 0;
 
@@ -94,7 +95,7 @@ PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt n
 
   PetscFunctionBeginUser;
   PetscCall(ComponentsCreate(level, &modes->components));
-  n                 = Components_Private(level->scene->model, components);
+  n                 = RigidModesGetComponents_Private(level->scene->model, components);
   num               = modes->components.num;
   block             = n * n;
   modes->num_bodies = num_bodies;
@@ -102,19 +103,20 @@ PetscErrorCode RigidModesCreate(Level *level, const Support *support, PetscInt n
   PetscCall(PetscCalloc5(4 * num, &modes->frames, num, &modes->loose, num_bodies, &modes->floating, n * num,
                          &modes->component, n * num * RIGID_COMPONENTS, &modes->mode));
   PetscCall(PetscCalloc1(block * num, &gram));
-  Frames_Private(&modes->components, modes->frames);
+  RigidModesSetFrames_Private(&modes->components, modes->frames);
   for (PetscInt a = 0; a < level->num_owned; a++) {
     const PetscInt i = modes->components.of_node[a];
 
     for (PetscInt j = 0; j < support->count[a]; j++) {
       PetscReal row[RIGID_COMPONENTS];
 
-      Row_Private(dim, &modes->frames[4 * i], &level->coords[a * dim], &support->directions[(a * dim + j) * dim], row);
+      RigidModesSetRow_Private(dim, &modes->frames[4 * i], &level->coords[a * dim],
+                               &support->directions[(a * dim + j) * dim], row);
       for (PetscInt k = 0; k < block; k++) gram[i * block + k] += row[components[k / n]] * row[components[k % n]];
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, gram, (PetscMPIInt)(block * num), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt i = 0; i < num; i++) AddMotions_Private(i, n, components, &gram[i * block], modes);
+  for (PetscInt i = 0; i < num; i++) RigidModesAddKernel_Private(i, n, components, &gram[i * block], modes);
   PetscCall(PetscFree(gram));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

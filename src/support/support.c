@@ -1,8 +1,8 @@
 /* support.c -- fixed directions of nodes, gathered from all boundaries of a body and made orthonormal.
 
-   Only ranks with a facet of the side at a node know that the node lies on the side, not all ranks with the
-   node: flags travel through a ghosted Vec. All that follows depends on the node's position and on the
-   boundary alone, so every rank that holds a node finds the same. */
+   Only ranks with a facet of the side at a node know that the node lies on the side, so flags are exchanged
+   by a ghosted Vec. All else depends on the node's position and on the boundary alone: every rank that has a
+   node finds the same. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "support/support.h"
@@ -11,11 +11,11 @@
 
 enum { SUPPORT_SENTENCE = 1024 }; /* length of the sentence of a user error */
 
-static const PetscReal FlatShare = 1e-6; /* a flat side stays this near its plane, over its length */
-static const PetscReal ParallelSine =
-    1e-5; /* two directions nearer than this are one; above what FlatShare leaves open */
-static const PetscReal AxisCosine = 1e-9; /* smaller components of a side's normal are round-off of a map */
-static const PetscReal Contradiction =
+static const PetscReal FLAT_SHARE = 1e-6; /* a flat side stays this near its plane, over its length */
+static const PetscReal PARALLEL_SINE =
+    1e-5; /* two directions nearer than this are one; above what FLAT_SHARE leaves open */
+static const PetscReal AXIS_COSINE = 1e-9; /* smaller components of a side's normal are round-off of a map */
+static const PetscReal CONTRADICTION =
     1e-8; /* between two values for one direction, over the largest value of the scene */
 
 /* A direction as a boundary gives it. */
@@ -24,7 +24,7 @@ typedef struct {
   PetscReal direction[3];
 } GivenDirection;
 
-/* What is gathered while boundary after boundary is read. */
+/* Data collected boundary by boundary. */
 typedef struct {
   Scene           scene;
   Level          *level;
@@ -36,7 +36,7 @@ typedef struct {
   PetscInt        node, boundary; /* ... and where: the local node, and the boundary that came second */
 } Gather;
 
-/* Remembers a direction for the split of reactions. */
+/* Stores a direction for the split of reactions. */
 static PetscErrorCode GatherKeep_Private(Gather *gather, PetscInt node, PetscInt boundary, const PetscReal direction[])
 {
   GivenDirection *given;
@@ -52,7 +52,8 @@ static PetscErrorCode GatherKeep_Private(Gather *gather, PetscInt node, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the condition direction . u = value at a node by Gram-Schmidt; one that is implied already is only compared. */
+/* Adds the condition direction . u = value at a node by Gram-Schmidt; one that is implied already is only
+   compared. */
 static PetscErrorCode GatherHold_Private(Gather *gather, PetscInt node, PetscInt boundary, const PetscReal direction[],
                                          PetscReal value)
 {
@@ -71,7 +72,7 @@ static PetscErrorCode GatherHold_Private(Gather *gather, PetscInt node, PetscInt
     rest -= dot * values[k];
   }
   length = VectorNorm(dim, r);
-  if (length <= ParallelSine) {
+  if (length <= PARALLEL_SINE) {
     if (PetscAbsReal(rest) > gather->mismatch) {
       gather->mismatch = PetscAbsReal(rest);
       gather->node     = node;
@@ -87,8 +88,8 @@ static PetscErrorCode GatherHold_Private(Gather *gather, PetscInt node, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Flags the nodes of a side on all ranks that hold them. [out] local - form of gather->flags, to be restored by the
-   caller */
+/* Flags the nodes of a side on all ranks that hold them.
+   [out] local - form of gather->flags, to be restored by the caller */
 static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, const char side[], Vec *local)
 {
   PetscScalar *flag;
@@ -138,15 +139,15 @@ static PetscErrorCode GatherDisplacement_Private(Gather *gather, PetscInt body, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Unit normal of a flat side, along a Cartesian axis exactly where it is one but for round-off. Its sign means
-   nothing to a displacement of zero, so axes are taken forward. */
+/* Unit normal of a flat side, along a Cartesian axis exactly where it is one but for round-off. A
+   displacement of zero does not depend on its sign, so axes are positive. */
 static void NormalTidy_Private(PetscInt dim, PetscReal n[])
 {
   PetscReal square = 0;
   PetscInt  along = -1, num = 0;
 
   for (PetscInt d = 0; d < dim; d++) {
-    if (PetscAbsReal(n[d]) < AxisCosine) n[d] = 0;
+    if (PetscAbsReal(n[d]) < AXIS_COSINE) n[d] = 0;
     square += n[d] * n[d];
     if (n[d] != 0) along = d, ++num;
   }
@@ -154,8 +155,8 @@ static void NormalTidy_Private(PetscInt dim, PetscReal n[])
   if (num == 1) n[along] = 1;
 }
 
-/* Adds the integrals of a facet's unit normal, and of 1. The curved facet counts: the triangle of its corners may be turned over in a flat side
-   whose rim is curved. [in,out] sum - [dim + 1] */
+/* Adds the integrals of a facet's unit normal, and of 1. They are over the curved facet: in a flat side with
+   a curved rim the triangle of its corners may be inverted. [in,out] sum - [dim + 1] */
 static void FacetAddNormal_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal sum[])
 {
   const ElementType type   = (ElementType)facets->type[f];
@@ -205,7 +206,7 @@ static PetscErrorCode SideGetNormal_Private(Gather *gather, PetscInt body, const
   }
   PetscCall(FacetsDestroy(&facets));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, range, 2, MPIU_REAL, MPIU_MAX, level->comm));
-  if (size < (1 - FlatShare) * sum[level->dim] || range[0] + range[1] > FlatShare * extent) {
+  if (size < (1 - FLAT_SHARE) * sum[level->dim] || range[0] + range[1] > FLAT_SHARE * extent) {
     const char *name = gather->scene->bodies[body].name;
 
     PetscCall(UserErrorRaise(
@@ -243,8 +244,8 @@ static PetscErrorCode GatherNormal_Private(Gather *gather, PetscInt body, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A ring does not move off its axis: e_r . u = 0 at nodes on it. They are told by their position, which is
-   exact (LevelSetAxis). */
+/* A ring does not move off its axis: e_r . u = 0 at nodes on it. They are recognized by their position, which
+   is exact (LevelSetAxis). */
 static PetscErrorCode GatherAxis_Private(Gather *gather)
 {
   const PetscInt  dim       = gather->level->dim;
@@ -258,7 +259,7 @@ static PetscErrorCode GatherAxis_Private(Gather *gather)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How a sentence names a boundary of a body. */
+/* A boundary of a body as a part of a sentence. */
 static void BoundaryShow_Private(const SceneBody *body, PetscInt boundary, char shown[SUPPORT_SENTENCE])
 {
   if (boundary == BOUNDARY_AXIS)
@@ -267,7 +268,7 @@ static void BoundaryShow_Private(const SceneBody *body, PetscInt boundary, char 
     snprintf(shown, SUPPORT_SENTENCE, "on side '%s'", body->boundaries[boundary].side);
 }
 
-/* Two boundaries that want different values in one direction are a user error. */
+/* Raises the user error of two boundaries with different values in one direction. */
 static PetscErrorCode GatherCheck_Private(Gather *gather)
 {
   char     sentence[SUPPORT_SENTENCE] = "", first[SUPPORT_SENTENCE], second[SUPPORT_SENTENCE];
@@ -275,7 +276,7 @@ static PetscErrorCode GatherCheck_Private(Gather *gather)
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &support->max_value, 1, MPIU_REAL, MPIU_MAX, gather->level->comm));
-  if (gather->mismatch > Contradiction * support->max_value) {
+  if (gather->mismatch > CONTRADICTION * support->max_value) {
     const PetscReal *x     = &gather->level->coords[gather->node * support->dim];
     const SceneBody *body  = &gather->scene->bodies[gather->level->node_body[gather->node]];
     char             z[32] = "";
@@ -314,7 +315,7 @@ static void FrameComplete_Private(PetscInt dim, PetscInt count, PetscReal Q[])
   }
 }
 
-/* Frames of all fixed nodes; where every direction is fixed the Cartesian axes serve best. */
+/* Frames of all fixed nodes; where every direction is fixed these are the Cartesian axes. */
 static void SupportFinish_Private(const Level *level, Support *support)
 {
   const PetscInt dim = support->dim;
@@ -349,12 +350,14 @@ static void SharedSideAdd_Private(SharedSide *side, PetscInt dim, const PetscRea
     for (PetscInt d = 0; d < dim; d++) r[d] -= dot * side->direction[k][d];
   }
   length = VectorNorm(dim, r);
-  if (length <= ParallelSine) return;
+  if (length <= PARALLEL_SINE) return;
   for (PetscInt d = 0; d < dim; d++) side->direction[side->count][d] = r[d] / length;
   side->count++;
 }
 
-/* Takes one node. [in] given - its directions, boundary by boundary [num]; [in,out] sides - where those of the node begin; their end */
+/* Adds one node, if several boundaries fix it.
+   [in] given - its directions, boundary by boundary [num]; [in,out] sides - begin of its entries, then their
+   end */
 static void GatherSharedNode_Private(const Gather *gather, PetscInt num, const GivenDirection *given[],
                                      SharedSide **sides)
 {
@@ -431,7 +434,7 @@ void SupportSplitForce(const Support *support, const SharedNode *shared, const P
     }
   }
   for (PetscInt k = 0; k < count; k++) in_frame[k] = VectorDot(dim, &Q[k * dim], rest);
-  if (DenseCholesky(count, S)) DenseCholeskySolve(count, S, in_frame); // sides differ by more than ParallelSine
+  if (DenseCholesky(count, S)) DenseCholeskySolve(count, S, in_frame); // sides differ by more than PARALLEL_SINE
   for (PetscInt k = 0; k < count; k++) {
     for (PetscInt d = 0; d < dim; d++) mu[d] += in_frame[k] * Q[k * dim + d];
   }
@@ -443,8 +446,8 @@ void SupportSplitForce(const Support *support, const SharedNode *shared, const P
   }
 }
 
-/* Boundary by boundary in the order typed, so that `side` names the first; contradictions are judged when the
-   largest value of the scene is known. */
+/* Boundary by boundary in the order typed, so that `side` names the first; contradictions are detected when
+   the largest value of the scene is known. */
 PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support)
 {
   const PetscInt num = level->num_nodes, dim = level->dim;

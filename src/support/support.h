@@ -1,8 +1,8 @@
 /* support.h -- fixed directions of each node, and their values.
 
-   Displacement data fix Cartesian directions, normal data fix the side's normal. Both become orthonormal directions of each node:
-   d_k . u = value_k, k < count. Data that contradict each other at a node are a user error. Nodes on the axis of an axisymmetric
-   scene are fixed along the radius automatically. */
+   Displacement data fix Cartesian directions, normal data fix the side's normal. Both become orthonormal
+   directions of each node: d_k . u = value_k, k < count. Data that contradict each other at a node are a user
+   error. Nodes on the axis of an axisymmetric scene are fixed along the radius automatically. */
 #ifndef MORTISE_SUPPORT_H
 #define MORTISE_SUPPORT_H
 
@@ -39,14 +39,15 @@ typedef struct {
   PetscReal   max_value; /* largest |value| of all ranks */
 } Support;
 
-/* Computes the fixed directions and their values. Directions along axes keep the Cartesian frame exactly. User errors: data that
-   contradict each other; a side with a normal displacement that is not flat. Collective. */
+/* Computes the fixed directions and their values. Directions along axes keep the Cartesian frame exactly.
+   User errors: data that contradict each other; a side with a normal displacement that is not flat.
+   Collective. */
 PetscErrorCode SupportCreate(Level *level, Scene scene, Support *support);
 /* Sets the values of the present time, for the same directions. Collective. */
 PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
-/* Splits the force of a shared node among its boundaries: f = sum_i f_i, f_i in the directions that boundary i fixes, with the least
-   sum of |f_i - expected_i|^2. Not collective.
+/* Splits the force of a shared node among its boundaries: f = sum_i f_i, f_i in the directions that boundary
+   i fixes. The sum of |f_i - expected_i|^2 is the least. Not collective.
    [in] force - in the span of its directions [dim]; [in,out] parts - expected ones; f_i [shared->num][dim] */
 void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[]);
 
