@@ -3,7 +3,8 @@
 #include "base/compat.h"
 
 /* The one chosen cell of a facet, -1 if there is none or if there are several. */
-static PetscErrorCode GetCell_Private(const Extract *x, const PetscBool chosen[], PetscInt facet, PetscInt *cell)
+static PetscErrorCode ArcExtractGetCell_Private(const Extract *x, const PetscBool chosen[], PetscInt facet,
+                                                PetscInt *cell)
 {
   const PetscInt *support;
   PetscInt        begin, size, num = 0;
@@ -23,7 +24,8 @@ static PetscErrorCode GetCell_Private(const Extract *x, const PetscBool chosen[]
 }
 
 /* Points of all sides of a list, each once. [out] points - freed by the caller */
-static PetscErrorCode GetPoints_Private(const Extract *x, const SideNames *names, PetscInt *num, PetscInt **points)
+static PetscErrorCode ArcExtractGetPoints_Private(const Extract *x, const SideNames *names, PetscInt *num,
+                                                  PetscInt **points)
 {
   PetscFunctionBeginUser;
   *num    = 0;
@@ -43,7 +45,8 @@ static PetscErrorCode GetPoints_Private(const Extract *x, const SideNames *names
 }
 
 /* Facets of sides, joined, on the boundary of the chosen cells. [in] side - NULL for none; it is freed */
-static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen[], char *side, Facets *facets)
+static PetscErrorCode ArcExtractGetFacets_Private(const Extract *x, const PetscBool chosen[], char *side,
+                                                  Facets *facets)
 {
   SideNames names = {0, NULL};
   PetscInt  begin, end, num, *points, count = 0;
@@ -51,7 +54,7 @@ static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen
   PetscFunctionBeginUser;
   if (side) PetscCall(SideNamesAdd(&names, side));
   PetscCall(PetscFree(side));
-  PetscCall(GetPoints_Private(x, &names, &num, &points));
+  PetscCall(ArcExtractGetPoints_Private(x, &names, &num, &points));
   PetscCall(SideNamesDestroy(&names));
   PetscCall(DMPlexGetHeightStratum(x->level.dm, 1, &begin, &end));
   PetscCall(FacetsAllocate(num, facets));
@@ -59,7 +62,7 @@ static PetscErrorCode GetFacets_Private(const Extract *x, const PetscBool chosen
     PetscInt cell, corners, vertices[ELEMENT_MAX_NODES];
 
     if (points[i] < begin || points[i] >= end) continue; // refinement labels what is on a facet as well
-    PetscCall(GetCell_Private(x, chosen, points[i], &cell));
+    PetscCall(ArcExtractGetCell_Private(x, chosen, points[i], &cell));
     if (cell < 0) continue;
     PetscCall(PointGetVertices(x->level.dm, points[i], &corners, vertices));
     facets->cell[count] = cell;
@@ -85,8 +88,8 @@ PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides 
   PetscCall(ArcSideNames(scene, body, &round, &flat));
   PetscCall(PetscMalloc1(x->level.num_cells, &chosen));
   PetscCall(RegionMark(x->level.dm, x->names, x->body->region, chosen, NULL));
-  PetscCall(GetFacets_Private(x, chosen, round, &sides->round));
-  PetscCall(GetFacets_Private(x, chosen, flat, &sides->flat));
+  PetscCall(ArcExtractGetFacets_Private(x, chosen, round, &sides->round));
+  PetscCall(ArcExtractGetFacets_Private(x, chosen, flat, &sides->flat));
   PetscCall(PetscFree(chosen));
   PetscCall(LevelHasArcs(&x->level, &sides->round, &sides->any));
   if (sides->any) PetscCall(LevelKeepUnmapped(&x->level));

@@ -1,8 +1,8 @@
 /* arcnodes.c -- new nodes of smooth sides, on the curves of the nodal normals (eq. 4.5).
 
    A curve's middle belongs to the node in the middle of its edge, on this level or on the next finer one.
-   Facets give offsets to their nodes, and all ranks sum them. The node in the middle of a quadrilateral or
-   hexahedron moves by half or a quarter of the sum of its edges' offsets (Coons), so that cells stay valid.
+   Facets give offsets to their nodes, and all ranks sum them. The middle node of a quadrilateral or
+   hexahedron moves by half or a quarter of the sum of its edges' offsets (Coons): cells stay valid.
    Everything happens before maps. */
 #include "mesh/meshimpl.h"
 #include "kernel/arc.h"
@@ -12,12 +12,12 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Nodes that edges, quadrilaterals and hexahedra of one level put in place. */
+/* Nodes in the middle of edges, quadrilaterals and hexahedra of one level. */
 typedef struct {
   Level    *from, *to;
   PetscInt  begin, end; /* points of from */
   PetscInt *node;       /* of to, in the middle of each point, or -1 [end - begin] */
-  Vec       sums; /* at nodes of to: sum of offsets, sum of their squares, sum of normals that must not see them */
+  Vec sums; /* at nodes of to: sum of offsets, sum of their squares, sum of normals along which there must be none */
 } Arcs;
 
 Level LevelBeforeMap(const Level *level)
@@ -61,8 +61,8 @@ PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The points of the mesh that the edges of a facet are. [in] point - of each node; [out] edges - as
-   ElementEdgeNodes() has them */
+/* The points of the edges of a facet.
+   [in] point - of each node; [out] edges - in the order of ElementEdgeNodes() */
 static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt point[], const Facets *facets,
                                             PetscInt f, PetscInt edges[])
 {
@@ -81,8 +81,8 @@ static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the data of facets at the nodes on their edges. [in] bulge - as BulgesCreate_Private() makes it, or NULL:
-   normals [num][F][dim] */
+/* Adds the data of facets at the nodes on their edges.
+   [in] bulge - as BulgesCreate_Private() makes it, or NULL: normals [num][F][dim] */
 static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, const PetscReal bulge[],
                                       PetscScalar sums[])
 {
@@ -188,7 +188,8 @@ static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moves nodes on edges, and those within what edges bound by a share of the sum of their ways. */
+/* Moves nodes on edges by their offsets, and nodes of quadrilaterals and hexahedra by a share of the sum over
+   their edges. */
 static PetscErrorCode ArcsMove_Private(const Arcs *arcs)
 {
   static const PetscReal share[] = {0, 1, 1. / 2, 1. / 4}; // by the dimension of the point

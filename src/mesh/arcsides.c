@@ -5,15 +5,16 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Lets a facet of first order be seen from outside, whatever the sense of its cell. */
+/* Orders the nodes of a facet of first order for an outward normal, for any orientation of its cell. */
 static void FacetTurnOut_Private(const Level *mapped, Facets *facets, PetscInt f)
 {
-  const Level     before = LevelBeforeMap(mapped), *level = &before; // positions after the map may not be known yet
+  const Level     before = LevelBeforeMap(mapped), *level = &before; // positions after the map may not exist yet
   const PetscInt *cell = &level->cell_nodes[level->cell_start[facets->cell[f]]];
   const PetscInt  dim = level->dim, n = LevelNumVertices(level, facets->cell[f]);
-  const PetscInt  last = ElementNumNodes(facets->type[f]) - 1, first = dim == 3 ? 1 : 0; // of what changes places
-  PetscInt       *nodes = &facets->nodes[f * F], node;
-  PetscReal       normal[3], inward = 0;
+  const PetscInt  last = ElementNumNodes(facets->type[f]) - 1,
+                 first = dim == 3 ? 1 : 0; // of the nodes that are exchanged
+  PetscInt *nodes      = &facets->nodes[f * F], node;
+  PetscReal normal[3], inward = 0;
 
   (void)FacetGetMeasure(level, facets, f, normal);
   for (PetscInt i = 0; i < n; i++) {
@@ -62,7 +63,7 @@ void FacetsTurnOut(const Level *level, Facets *facets)
 }
 
 /* "a+b+c". [out] side - freed by the caller, NULL for no names; the names are destroyed */
-static PetscErrorCode JoinNames_Private(SideNames *names, char **side)
+static PetscErrorCode SideNamesJoin_Private(SideNames *names, char **side)
 {
   size_t length = 1;
 
@@ -93,13 +94,13 @@ PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **fla
   for (PetscInt i = 0; i < b->num_boundaries; i++) {
     if (b->boundaries[i].kind == BOUNDARY_NORMAL) PetscCall(SideNamesAdd(&normal, b->boundaries[i].side));
   }
-  PetscCall(JoinNames_Private(&of_pair, round));
-  PetscCall(JoinNames_Private(&normal, flat));
+  PetscCall(SideNamesJoin_Private(&of_pair, round));
+  PetscCall(SideNamesJoin_Private(&normal, flat));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Appends the facets of sides of a body, if there are any. [in,out] side - is freed */
-static PetscErrorCode AddFacets_Private(Level *level, PetscInt body, char **side, Facets *facets)
+static PetscErrorCode ArcSidesAddFacets_Private(Level *level, PetscInt body, char **side, Facets *facets)
 {
   Facets more;
 
@@ -119,8 +120,8 @@ static PetscErrorCode ArcSidesAdd_Private(Level *level, PetscInt body, ArcSides 
 
   PetscFunctionBeginUser;
   PetscCall(ArcSideNames(level->scene, body, &round, &flat));
-  PetscCall(AddFacets_Private(level, body, &round, &sides->round));
-  PetscCall(AddFacets_Private(level, body, &flat, &sides->flat));
+  PetscCall(ArcSidesAddFacets_Private(level, body, &round, &sides->round));
+  PetscCall(ArcSidesAddFacets_Private(level, body, &flat, &sides->flat));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "base/usererror.h"
 
-/* Of the largest radius of the scene: what maps and files leave of a zero. */
+/* Roundoff of maps and files at r = 0, as a part of the largest radius of the scene. */
 static const PetscReal AXIS_ROUNDOFF = 1e-10;
 
 PetscErrorCode LevelSetAxis(Level *level)

@@ -36,7 +36,7 @@ PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Refinement numbers the points of equal meshes alike. */
+/* Refinement numbers the points of equal meshes equally. */
 PetscErrorCode MeshShapeRefine(Mesh mesh)
 {
   Level   *fine = MeshFinest(mesh), coarse;
@@ -50,7 +50,7 @@ PetscErrorCode MeshShapeRefine(Mesh mesh)
   PetscCall(LevelRefine(&coarse, &sides, &mesh->shape->level));
   PetscCall(ArcSidesDestroy(&sides));
   PetscCall(LevelDestroy(&coarse));
-  PetscCall(MatDestroy(&mesh->shape->level.prolongation)); // has done its work
+  PetscCall(MatDestroy(&mesh->shape->level.prolongation)); // used by the refinement only
   for (PetscInt p = fine->point_begin; p < fine->point_end; p++) {
     const PetscInt node = PointGetNode(fine, p), other = PointGetNode(&mesh->shape->level, p);
 

@@ -1,7 +1,7 @@
 /* bodylist.c -- storage of a body's lists, and the names of its sides.
 
-   A side that the user joins with '+' is a union of named sides; the mesh knows the parts only, so that a part that
-   occurs in several unions is labelled once. */
+   A side that the user joins with '+' is a union of named sides; the mesh knows the parts only, so that a
+   part that occurs in several unions is labelled once. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include <string.h>
@@ -57,7 +57,7 @@ PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
 
   PetscFunctionBeginUser;
   *names = (SideNames){0, NULL};
-  // sides that nothing uses are not looked for: a label costs time in every refinement
+  // sides without use get no label, which would cost time in every refinement
   for (PetscInt i = 0; i < b->num_boundaries; i++) PetscCall(SideNamesAdd(names, b->boundaries[i].side));
   for (PetscInt i = 0; i < scene->num_pairs; i++) {
     const ScenePair *pair = &scene->pairs[i];
@@ -78,7 +78,7 @@ PetscErrorCode SideNamesDestroy(SideNames *names)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Compares sets of vertices: where a facet begins, and its sense, may differ. */
+/* Compares sets of vertices: the first vertex of a facet, and its orientation, may differ. */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[])
 {
   const PetscInt num_nodes = ElementNumNodes(ElementLinear(ElementFacetType(type)));

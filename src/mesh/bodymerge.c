@@ -4,8 +4,8 @@
 #include "base/compat.h"
 
 /* The point that is a facet of a list: PETSc numbers facets of solids in an order of its own. */
-static PetscErrorCode FacetGetPoint_Private(const BodyList *list, const Numbering *numbering, PetscInt body, PetscInt f,
-                                            DM dm, PetscInt *point)
+static PetscErrorCode MergeGetFacetPoint_Private(const BodyList *list, const Numbering *numbering, PetscInt body,
+                                                 PetscInt f, DM dm, PetscInt *point)
 {
   const PetscInt    cell  = list->facet_cell[f];
   const ElementType type  = ElementLinear((ElementType)list->cell_type[cell]);
@@ -20,8 +20,8 @@ static PetscErrorCode FacetGetPoint_Private(const BodyList *list, const Numberin
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* "material" on cells; "<body>:<side>" on facets, value 1. All ranks make the labels, the first one fills them;
-   distribution and refinement carry them on. */
+/* "material" on cells; "<body>:<side>" on facets, value 1. All ranks make the labels, the first one fills
+   them; distribution and refinement carry them on. */
 static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[], const SideNames names[],
                                              const Numbering *numbering, DM dm)
 {
@@ -45,7 +45,7 @@ static PetscErrorCode MergeSetLabels_Private(Scene scene, const BodyList lists[]
         PetscInt point;
 
         if (lists[b].facet_side[f] != s) continue;
-        PetscCall(FacetGetPoint_Private(&lists[b], numbering, b, f, dm, &point));
+        PetscCall(MergeGetFacetPoint_Private(&lists[b], numbering, b, f, dm, &point));
         PetscCall(DMLabelSetValue(label, point, 1));
       }
     }

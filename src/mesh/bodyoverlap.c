@@ -10,9 +10,10 @@
 #include "mesh/insidebody.h"
 #include "mesh/meshimpl.h"
 
-/* An interference above this part of the smallest extent of a body strains it by more than small strains allow. */
+/* An interference above this part of the smallest extent of a body exceeds small strains. */
 static const PetscReal FIT = 0.1;
-/* Without a pair between two bodies: errors of curves and of digits are below this part. */
+/* Permitted overlap of two bodies without a pair, as a part of the smallest extent: errors of curves and of
+   coordinates. */
 static const PetscReal TOUCH = 1e-3;
 /* Depths that differ by less are equal. */
 static const PetscReal SAME_DEPTH = 1e-8;
@@ -118,7 +119,7 @@ static PetscErrorCode OverlapSetBoxes_Private(const Level *level, PetscInt num_b
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The smallest extent of a body; of one that an axis turns round, its diameter along the radius. */
+/* The smallest extent of a body; in an axisymmetric scene the extent along the radius is a diameter. */
 static PetscReal OverlapGetExtent_Private(const struct _n_Scene *scene, const PetscReal box[])
 {
   PetscReal extent = PETSC_MAX_REAL;
@@ -131,7 +132,8 @@ static PetscReal OverlapGetExtent_Private(const struct _n_Scene *scene, const Pe
   return extent;
 }
 
-/* The overlap that the pairs between two bodies explain: infinite for a tie. [out] pair - one of them, or NULL */
+/* The overlap that the pairs between two bodies explain: infinite for a tie.
+   [out] pair - one of them, or NULL */
 static PetscReal OverlapGetLimit_Private(const struct _n_Scene *scene, PetscInt a, PetscInt b, const PetscReal box[],
                                          const char **pair)
 {
@@ -232,9 +234,8 @@ static PetscBool PointsCompare_Private(PetscInt dim, const PetscReal x[], const 
   return PETSC_FALSE;
 }
 
-/* The deepest of the points that are left, the first by coordinates of those that are as deep; of many, some.
-   Collective.
-   [in,out] deepest - what was found before */
+/* The deepest of the remaining points, the first by coordinates of those of equal depth; of more than
+   MAX_MEASURED points a subset. Collective. [in,out] deepest - of all bodies so far */
 static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *b, PetscInt body,
                                             const GatheredPoints *points, Deepest *deepest)
 {
@@ -253,7 +254,7 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
     for (PetscInt k = 0; k < dim; k++) key[n] += MIXED[k] * points->x[i * dim + k];
     chosen[n++] = i;
   }
-  PetscCall(PetscSortRealWithArrayInt(left, key, chosen)); // the same ones on any number of ranks
+  PetscCall(PetscSortRealWithArrayInt(left, key, chosen)); // the same choice on any number of ranks
   for (PetscInt i = 0; i < left; i += stride) chosen[num++] = chosen[i];
   for (PetscInt i = 0; i < num; i++) away[i] = PETSC_MAX_REAL;
   for (PetscInt f = 0; f < b->num; f++) {
@@ -262,7 +263,7 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
     for (PetscInt i = 0; i < num; i++) {
       const PetscReal *x = &points->x[chosen[i] * dim];
 
-      if (BoxDistance_Private(dim, box, x) < away[i]) // else the facet is farther
+      if (BoxDistance_Private(dim, box, x) < away[i]) // otherwise the facet is farther away
         away[i] = PetscMin(away[i], ClosestPointOnFacet(dim, b->type[f], X, x, eta));
     }
   }
@@ -279,7 +280,8 @@ static PetscErrorCode PointsMeasure_Private(const Level *level, const Boundary *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Searches the boundary of body a inside body b, deeper than a limit. Collective. [in,out] deepest - as above */
+/* Searches the boundary of body a inside body b, deeper than a limit. Collective.
+   [in,out] deepest - as above */
 static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *boundary, PetscInt a, PetscInt b,
                                           const PetscReal boxes[], PetscReal limit, Deepest *deepest)
 {
@@ -316,7 +318,7 @@ static PetscBool OverlapIsRefused_Private(const struct _n_Scene *scene, PetscInt
   return PETSC_FALSE;
 }
 
-/* Two bodies overlap. [in] pair - that joins them, or NULL */
+/* Warns of two bodies that overlap. [in] pair - that joins them, or NULL */
 static PetscErrorCode OverlapWarn_Private(const Level *level, PetscInt a, PetscInt b, const char pair[],
                                           PetscReal depth, const PetscReal at[])
 {

@@ -17,25 +17,25 @@ enum { MAX_SIDES = 6, MAX_PARTS = 6, MAX_PARTS_ON_SIDE = 2, MAX_CORNERS = 8 };
 /* A side of the box, and of the bricks there. */
 typedef struct {
   const char *name;
-  PetscInt    axis, end; /* at which end of which axis: 0 or 1 */
+  PetscInt    axis, end; /* axis, and its end: 0 or 1 */
 } Side;
 
-/* What a brick of the grid becomes. */
+/* Cells of a brick of the grid. */
 typedef struct {
   ElementType brick, part;
-  PetscInt    num_parts, corners[MAX_PARTS][MAX_CORNERS]; /* of each part, as the brick counts its own */
+  PetscInt    num_parts, corners[MAX_PARTS][MAX_CORNERS]; /* of each part, by the brick's own numbers */
 } Split;
 
 /* [dim] */
-static const Side Sides[][MAX_SIDES] = {
+static const Side SIDES[][MAX_SIDES] = {
     [2] = {{"bottom", 1, 0}, {"right", 0, 1}, {"top", 1, 1}, {"left", 0, 0}},
     [3] = {{"bottom", 2, 0}, {"top", 2, 1}, {"front", 1, 0}, {"right", 0, 1}, {"back", 1, 1}, {"left", 0, 0}}};
 
-/* [dim][simplex]. The tetrahedra have the edge from corner 0 to 6 in common and are right-handed. Which of
-   their vertices is the first decides along which diagonal refinement cuts the octahedron inside: begun like
-   this, volume over the cube of the mean edge stays above 0.56 of a regular one's on all levels; begun
-   otherwise it falls to 0.36. */
-static const Split Splits[][2] = {
+/* [dim][simplex]. The tetrahedra have the edge from corner 0 to 6 in common and are right-handed. The first
+   vertex of each determines the diagonal along which refinement cuts the inner octahedron. With this order
+   volume over the cube of the mean edge stays above 0.56 of that of a regular tetrahedron on all levels; with
+   others it falls to 0.36. */
+static const Split SPLITS[][2] = {
     [2] = {{ELEMENT_QUAD4, ELEMENT_QUAD4, 1, {{0, 1, 2, 3}}}, {ELEMENT_QUAD4, ELEMENT_TRI3, 2, {{0, 1, 2}, {0, 2, 3}}}},
     [3] = {{ELEMENT_HEX8, ELEMENT_HEX8, 1, {{0, 1, 2, 3, 4, 5, 6, 7}}},
            {ELEMENT_HEX8,
@@ -43,7 +43,7 @@ static const Split Splits[][2] = {
             6,
             {{0, 2, 6, 1}, {0, 3, 6, 2}, {0, 7, 6, 3}, {0, 4, 6, 7}, {0, 5, 6, 4}, {0, 1, 6, 5}}}}};
 
-/* Bricks along the axes, and which of them are made. */
+/* Bricks along the axes, and those that are made. */
 typedef struct {
   PetscInt       dim, n[3];
   const Split   *split;
@@ -51,7 +51,7 @@ typedef struct {
 } Grid;
 
 /* Splits a number into digits, the first one fastest. [in] base - [dim] */
-static void Digits_Private(PetscInt dim, const PetscInt base[], PetscInt number, PetscInt digit[])
+static void GridSplitNumber_Private(PetscInt dim, const PetscInt base[], PetscInt number, PetscInt digit[])
 {
   for (PetscInt d = 0; d < dim; d++) {
     digit[d] = number % base[d];
@@ -59,7 +59,7 @@ static void Digits_Private(PetscInt dim, const PetscInt base[], PetscInt number,
   }
 }
 
-static PetscInt Product_Private(PetscInt num, const PetscInt factor[])
+static PetscInt GridProduct_Private(PetscInt num, const PetscInt factor[])
 {
   PetscInt product = 1;
 
@@ -69,16 +69,16 @@ static PetscInt Product_Private(PetscInt num, const PetscInt factor[])
 
 static PetscInt GridNumBricks_Private(const Grid *grid)
 {
-  return grid->part ? grid->part->num_bricks : Product_Private(grid->dim, grid->n);
+  return grid->part ? grid->part->num_bricks : GridProduct_Private(grid->dim, grid->n);
 }
 
-/* Where a brick that is made is among all. */
+/* Position of a brick among all bricks of the box. */
 static void GridFindBrick_Private(const Grid *grid, PetscInt brick, PetscInt at[])
 {
-  Digits_Private(grid->dim, grid->n, grid->part ? grid->part->brick[brick] : brick, at);
+  GridSplitNumber_Private(grid->dim, grid->n, grid->part ? grid->part->brick[brick] : brick, at);
 }
 
-/* All bricks in turn, each in its parts. */
+/* The cells of all bricks, brick by brick. */
 static PetscErrorCode BoxSetCells_Private(const Grid *grid, BodyList *list)
 {
   const Split *split = grid->split;
@@ -112,7 +112,7 @@ static void BoxSetCoords_Private(const SceneBody *body, const Grid *grid, BodyLi
 
   for (PetscInt d = 0; d < grid->dim; d++) num[d] = grid->n[d] + 1;
   for (PetscInt node = 0; node < list->num_nodes; node++) {
-    Digits_Private(grid->dim, num, grid->part ? grid->part->node[node] : node, at);
+    GridSplitNumber_Private(grid->dim, num, grid->part ? grid->part->node[node] : node, at);
     for (PetscInt d = 0; d < grid->dim; d++) {
       const PetscReal s = (PetscReal)at[d] / grid->n[d];
 
@@ -158,13 +158,13 @@ static void BoxAddSide_Private(const Grid *grid, const Side *side, PetscInt inde
   }
 }
 
-/* Refining a box is the same as making it of more cells, and cheaper. */
+/* More cells instead of refinement give the same mesh at lower cost. */
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, const BoxPart *part,
                                  BodyList *list, char sentence[])
 {
   static const char *const all[] = {
       [2] = "left, right, bottom and top", [3] = "left, right, front, back, bottom and top"};
-  Grid     grid     = {.dim = dim, .split = &Splits[dim][body->simplex ? 1 : 0], .part = part};
+  Grid     grid     = {.dim = dim, .split = &SPLITS[dim][body->simplex ? 1 : 0], .part = part};
   PetscInt nodes[3] = {0, 0, 0}, num_bricks, num_facets = 0;
 
   PetscFunctionBeginUser;
@@ -174,17 +174,17 @@ PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const Side
   }
   num_bricks = GridNumBricks_Private(&grid);
   for (PetscInt d = 0; d < dim; d++)
-    num_facets += 2 * MAX_PARTS_ON_SIDE * PetscMin(num_bricks, Product_Private(dim, grid.n) / grid.n[d]);
+    num_facets += 2 * MAX_PARTS_ON_SIDE * PetscMin(num_bricks, GridProduct_Private(dim, grid.n) / grid.n[d]);
   PetscCall(BodyListAllocate(dim, num_bricks * grid.split->num_parts,
-                             part ? part->num_nodes : Product_Private(dim, nodes), num_facets, list));
+                             part ? part->num_nodes : GridProduct_Private(dim, nodes), num_facets, list));
   PetscCall(BoxSetCells_Private(&grid, list));
   BoxSetCoords_Private(body, &grid, list);
   for (PetscInt i = 0; i < names->num; i++) {
     PetscInt side = 0;
 
-    while (side < 2 * dim && strcmp(Sides[dim][side].name, names->name[i])) side++;
+    while (side < 2 * dim && strcmp(SIDES[dim][side].name, names->name[i])) side++;
     if (side < 2 * dim)
-      BoxAddSide_Private(&grid, &Sides[dim][side], i, list);
+      BoxAddSide_Private(&grid, &SIDES[dim][side], i, list);
     else
       snprintf(sentence, MESH_SENTENCE, "body '%s' is a box and has no side '%s'; its sides are %s", body->name,
                names->name[i], all[dim]);

@@ -1,17 +1,17 @@
 /* boxcoarsening.c -- coarser levels of boxes.
 
-   A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. Where solvers use coarser
-   levels, scenes of boxes therefore need no -dm_refine to have them. For few ranks it does not depend on
-   their number; then iterations do not either. */
+   A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. So scenes of boxes have coarser
+   levels without -dm_refine, where solvers use them. For few ranks the levels, and so the iterations, do not
+   depend on the number of ranks. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
 enum {
-  COARSEST_UNKNOWNS = 800, /* with fewer there is one more level and hardly a cheaper factorization */
-  CELLS_A_RANK      = 40   /* for parts that are even within some percent */
+  COARSEST_UNKNOWNS = 800, /* with fewer there is one more level, and the factorization is hardly cheaper */
+  CELLS_A_RANK      = 40   /* for parts equal to some percent */
 };
 
-/* As PetscReal, since it is to be compared before anything is known to fit whole numbers. */
+/* As PetscReal: it is compared before it is known to fit a PetscInt. */
 typedef struct {
   PetscReal cells, unknowns;
 } Size;
@@ -25,8 +25,8 @@ static PetscBool SceneWantsLevelsFor_Private(Scene scene, PetscReal num_unknowns
   return num_unknowns > limit ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* Of all boxes, their own edges halved so many times beyond their -dm_refine; simplices have the nodes of
-   bricks. [in] order - at least */
+/* The size of all boxes with edges halved `times` times beyond their -dm_refine; simplices have the nodes of
+   bricks. [in] order - lower bound of the order */
 static Size SceneGetSize_Private(Scene scene, PetscInt times, PetscInt order)
 {
   Size size = {0, 0};
@@ -47,7 +47,8 @@ static Size SceneGetSize_Private(Scene scene, PetscInt times, PetscInt order)
   return size;
 }
 
-/* Of the finest mesh and the highest order of a study, all meshes of which have the same levels. */
+/* Whether solvers use levels on the finest mesh and for the highest order of a study: all its meshes have the
+   same levels. */
 static PetscBool SceneWantsLevels_Private(Scene scene)
 {
   const SceneStudy *study = &scene->study;
@@ -58,8 +59,8 @@ static PetscBool SceneWantsLevels_Private(Scene scene)
       scene, SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
 }
 
-/* How many times the edges of a body can be doubled. Refinement takes triangles to the triangles of the finer
-   box; tetrahedra it takes to others. */
+/* How many times the edges of a body can be doubled. Refined triangles are those of the finer box; refined
+   tetrahedra are not. */
 static PetscInt BodyCountCoarser_Private(const SceneBody *body, PetscInt dim)
 {
   PetscInt faces = 0, times = body->refine;
@@ -70,7 +71,8 @@ static PetscInt BodyCountCoarser_Private(const SceneBody *body, PetscInt dim)
   return times;
 }
 
-/* Whether a mesh is too small to begin with: of order 1, so that all orders begin with the same. */
+/* Whether the coarsest mesh would be too small. It is judged for order 1, so that all orders have the same
+   one. */
 static PetscBool SceneIsSmall_Private(Scene scene, PetscInt coarser, PetscMPIInt num_ranks)
 {
   const Size size = SceneGetSize_Private(scene, -coarser, 0);
@@ -86,7 +88,7 @@ PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks)
   if (!SceneWantsLevels_Private(scene)) return 0;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     most = PetscMin(most, BodyCountCoarser_Private(&scene->bodies[b], scene->dim));
-    // cells may tangle in one order and not in another, but in a study all orders have the same levels
+    // cells may tangle in one order only, but in a study all orders have the same levels
     if (scene->bodies[b].map && scene->study.num_orders > 1) most = 0;
   }
   times = most;

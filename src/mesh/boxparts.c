@@ -1,21 +1,20 @@
 /* boxparts.c -- boxes of many cells, of which each rank makes its own.
 
-   Neighbouring bricks are put together to blocks, so few that the first rank can part them as it parts other
-   meshes. Then each rank makes the bricks of its blocks. All ranks know whose bricks have a vertex, an edge
-   or a facet: the highest of these ranks owns it. (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of
-   solids.) */
+   Neighbouring bricks form blocks, so few that the first rank can partition them as it does other meshes.
+   Then each rank makes the bricks of its blocks. All ranks know which ranks have a vertex, an edge or a
+   facet: the highest of them owns it. (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of solids.) */
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include <petscsf.h>
 
 enum {
-  MIN_BRICKS        = 4096, /* a mesh of fewer is small everywhere */
+  MIN_BRICKS        = 4096, /* a mesh of fewer bricks fits one rank */
   MAX_BLOCKS        = 8192, /* of all boxes, or more for */
   MIN_BLOCKS_A_PART = 64    /* parts that are even within some percent */
 };
 
-/* The blocks of all boxes, and whose they are. */
+/* The blocks of all boxes, and their ranks. */
 typedef struct {
   PetscInt dim, num_bodies, edge; /* bricks along an edge of a block, at most */
   PetscInt (*bricks)[3];          /* of each box along each axis [num_bodies] */
@@ -24,7 +23,7 @@ typedef struct {
   PetscInt *rank;  /* of every block, x first [first[num_bodies]] */
 } Blocks;
 
-static PetscInt Product_Private(PetscInt dim, const PetscInt factor[])
+static PetscInt BricksCount_Private(PetscInt dim, const PetscInt factor[])
 {
   return factor[0] * factor[1] * (dim > 2 ? factor[2] : 1);
 }
@@ -44,7 +43,7 @@ PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks)
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     if (scene->bodies[b].mesh_file) return PETSC_FALSE;
     BodyCountBricks_Private(scene, coarser, b, bricks);
-    num += Product_Private(scene->dim, bricks);
+    num += BricksCount_Private(scene->dim, bricks);
   }
   return (PetscBool)(num_ranks > 1 && !scene->adapt.on && num >= MIN_BRICKS);
 }
@@ -55,7 +54,7 @@ static void BlocksCount_Private(Blocks *blocks, PetscInt edge)
   blocks->edge = edge;
   for (PetscInt b = 0; b < blocks->num_bodies; b++) {
     for (PetscInt d = 0; d < 3; d++) blocks->blocks[b][d] = (blocks->bricks[b][d] + edge - 1) / edge;
-    blocks->first[b + 1] = blocks->first[b] + Product_Private(blocks->dim, blocks->blocks[b]);
+    blocks->first[b + 1] = blocks->first[b] + BricksCount_Private(blocks->dim, blocks->blocks[b]);
   }
 }
 
@@ -82,7 +81,7 @@ static PetscErrorCode BlocksDestroy_Private(Blocks *blocks)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The first brick of a block along an axis: blocks are as even as whole numbers are. */
+/* The first brick of a block along an axis: blocks differ by one brick at most. */
 static PetscInt BlockBegin_Private(PetscInt bricks, PetscInt blocks, PetscInt block)
 {
   return (PetscInt)((PetscInt64)block * bricks / blocks);
@@ -162,13 +161,13 @@ static PetscInt BlocksFindRank_Private(const Blocks *blocks, PetscInt b, const P
   return blocks->rank[blocks->first[b] + block];
 }
 
-/* Where a point of a box is: between two vertices, at most a brick apart along each axis. */
+/* Position of a point of a box: between two vertices, at most a brick apart along each axis. */
 typedef struct {
   PetscInt body, low[3], high[3];
 } Place;
 
-/* The ranks whose bricks have a point: bricks of neighbours are cut alike. Returns the highest. [out] shared
-   - whether there are several */
+/* The highest rank whose bricks have a point: neighbouring bricks are cut equally.
+   [out] shared - whether several ranks have it */
 static PetscInt BlocksFindOwner_Private(const Blocks *blocks, const Place *place, PetscBool *shared)
 {
   const PetscInt *n    = blocks->bricks[place->body];
@@ -199,7 +198,7 @@ static PetscErrorCode BlocksMakePart_Private(const Blocks *blocks, PetscInt b, P
 
   PetscFunctionBeginUser;
   *part = (BoxPart){.num_bricks = 0};
-  for (PetscInt block = 0; block < Product_Private(blocks->dim, m); block++) {
+  for (PetscInt block = 0; block < BricksCount_Private(blocks->dim, m); block++) {
     PetscInt begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};
 
     if (blocks->rank[blocks->first[b] + block] != rank) continue;
@@ -239,8 +238,8 @@ typedef struct {
   PetscInt *key, *point, *owner; /* the same on all ranks, less than num_keys; point of the DM; rank [num] */
 } SharedPoints;
 
-/* Where a point is that has these vertices, and which of those that begin there it is. [in] nodes - numbers
-   in the box [num] */
+/* Position of the point with these vertices; returns its index among the points with the same lowest vertex.
+   [in] nodes - numbers in the box [num] */
 static PetscInt PlaceFind_Private(const Blocks *blocks, PetscInt num, const PetscInt nodes[], Place *place)
 {
   const PetscInt *n     = blocks->bricks[place->body];
@@ -303,7 +302,7 @@ static PetscErrorCode SharedPointsCreate_Private(DM dm, const Blocks *blocks, co
   for (PetscInt b = 0; b < blocks->num_bodies; b++) {
     const PetscInt nodes[3] = {blocks->bricks[b][0] + 1, blocks->bricks[b][1] + 1, blocks->bricks[b][2] + 1};
 
-    first[b + 1] = first[b] + Product_Private(blocks->dim, nodes);
+    first[b + 1] = first[b] + BricksCount_Private(blocks->dim, nodes);
   }
   PetscCheck(first[blocks->num_bodies] < PETSC_MAX_INT / KINDS, PetscObjectComm((PetscObject)dm), PETSC_ERR_SUP,
              "%" PetscInt_FMT " nodes of boxes need PETSc with 64-bit indices", first[blocks->num_bodies]);
@@ -320,7 +319,8 @@ static PetscErrorCode SharedPointsCreate_Private(DM dm, const Blocks *blocks, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The points of owners, by a list of all keys that is spread over the ranks. Collective. [out] remote - [num] */
+/* The points of owners, by a list of all keys that is spread over the ranks. Collective.
+   [out] remote - [num] */
 static PetscErrorCode SharedPointsFindRemote_Private(MPI_Comm comm, const SharedPoints *shared, PetscInt remote[])
 {
   PetscLayout layout;

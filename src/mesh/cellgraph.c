@@ -10,8 +10,8 @@ enum {
   MAX_RECURSIVE = 8   /* METIS's own advice: recursive bisection is better up to eight parts */
 };
 
-/* How much more a part may have than its share. A mesh of few cells cannot share contact out evenly, and it
-   is the smaller work. */
+/* Permitted load of a part over its share: cells, contact. Few cells cannot share contact evenly, and contact
+   is less work. */
 static const real_t TOLERANCE[PARTITION_MAX_WEIGHTS] = {1.02F, 1.1F};
 
 PetscErrorCode CellGraphDestroy(CellGraph *graph)
@@ -22,7 +22,7 @@ PetscErrorCode CellGraphDestroy(CellGraph *graph)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* An edge from a cell to itself, where a body touches itself in a corner, says nothing. */
+/* Edges from a cell to itself, where a body touches itself in a corner, are omitted. */
 PetscErrorCode CellGraphAddEdge(CellGraph *edges, PetscInt a, PetscInt b, PetscInt weight)
 {
   PetscFunctionBeginUser;
@@ -43,7 +43,8 @@ PetscInt CellGraphWeight(PetscReal distance, PetscReal most)
   return most >= MAX_WEIGHT * distance ? MAX_WEIGHT : (PetscInt)(most / distance);
 }
 
-/* The box around a facet; returns its longest extent. [out] X - its nodes [num_nodes][dim]; [out] box - [2][dim] */
+/* The box around a facet; returns its longest extent.
+   [out] X - its nodes [num_nodes][dim]; [out] box - [2][dim] */
 static PetscReal FacetGetBox_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal X[],
                                      PetscReal box[])
 {
@@ -84,8 +85,8 @@ static BoxSlab SlabAround_Private(PetscInt dim, PetscInt num, const PetscReal X[
   return slab;
 }
 
-/* What a facet may touch: within the reach before and behind it, and hardly beside it, so that however far it
-   reaches it finds no more of smaller facets. [in] reach - negative: a facet's own size */
+/* Query for the facets that a facet may touch: within the reach along its normal, and hardly beside it. So a
+   long reach does not find more of the smaller facets beside. [in] reach - negative: a facet's own size */
 static PetscErrorCode FacetQuery_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal reach,
                                          BoxTree tree, PetscInt *num_hits, const PetscInt *hits[])
 {
@@ -134,7 +135,7 @@ PetscErrorCode CellGraphAddContact(const Level *level, const Facets *nonmortar, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Edges as compressed rows, as METIS wants them; those that occur twice are summed up. [out] start - [num_cells+1];
+/* Edges as compressed rows for METIS; weights of repeated edges are added. [out] start - [num_cells+1];
    adjacent, weight - [2 * edges->num] */
 static PetscErrorCode EdgesToRows_Private(const CellGraph *edges, PetscInt num_cells, idx_t start[], idx_t adjacent[],
                                           idx_t weight[])
@@ -146,7 +147,7 @@ static PetscErrorCode EdgesToRows_Private(const CellGraph *edges, PetscInt num_c
   PetscCall(PetscMalloc2(2 * edges->num, &other, 2 * edges->num, &share));
   for (PetscInt i = 0; i < 2 * edges->num; i++) begin[edges->end[i] + 1]++;
   for (PetscInt c = 0; c < num_cells; c++) begin[c + 1] += begin[c];
-  for (PetscInt i = 0; i < 2 * edges->num; i++) { // end i faces end i ^ 1
+  for (PetscInt i = 0; i < 2 * edges->num; i++) { // end i is opposite to end i ^ 1
     const PetscInt c = edges->end[i], at = begin[c] + fill[c]++;
 
     other[at] = edges->end[i ^ 1];
@@ -154,7 +155,8 @@ static PetscErrorCode EdgesToRows_Private(const CellGraph *edges, PetscInt num_c
   }
   for (PetscInt c = 0; c < num_cells; c++) {
     start[c] = (idx_t)kept;
-    PetscCall(PetscSortIntWithArray(fill[c], &other[begin[c]], &share[begin[c]])); // one facet may face thousands
+    PetscCall(
+        PetscSortIntWithArray(fill[c], &other[begin[c]], &share[begin[c]])); // one facet may have thousands of partners
     for (PetscInt i = begin[c]; i < begin[c + 1]; i++) {
       if (kept > start[c] && adjacent[kept - 1] == other[i]) {
         weight[kept - 1] += (idx_t)share[i];
@@ -170,7 +172,7 @@ static PetscErrorCode EdgesToRows_Private(const CellGraph *edges, PetscInt num_c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Hands the graph to METIS. */
+/* Partitions the graph by METIS. */
 static PetscErrorCode EdgesCut_Private(const CellGraph *edges, PetscInt num_cells, const PartitionWeights *shares,
                                        PetscInt part[])
 {

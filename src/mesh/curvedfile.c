@@ -1,9 +1,10 @@
-/* curvedfile.c -- the middle nodes that files of second order give: a position, before any map, on some of
-   the edges, facets and cells of a DM. What has none is straight. */
+/* curvedfile.c -- the middle nodes of files of second order: positions, before any map, on edges, facets and
+   cells of a DM. Points without a position are straight. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-/* The points that carry the nodes behind a cell's vertices, in the order of element.h: edges, facets, the cell itself.
+/* The points that carry the nodes behind a cell's vertices, in the order of element.h: edges, facets, the
+   cell itself.
    [out] num - 0 for a cell of order 1; points - [ELEMENT_MAX_NODES] */
 static PetscErrorCode CellGetMiddles_Private(DM dm, const BodyList *list, const Numbering *numbering, PetscInt body,
                                              PetscInt cell, PetscInt *num, PetscInt points[])

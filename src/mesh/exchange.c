@@ -1,6 +1,7 @@
 /* exchange.c -- records by MPI_Alltoallv().
 
-   It takes one step for any number of records. PetscSF would need the position of each record on its rank first. */
+   It takes one step for any number of records. PetscSF would need the position of each record on its rank
+   first. */
 #include "mesh/exchange.h"
 #include "base/compat.h"
 #include <string.h>

@@ -3,19 +3,19 @@
 #include "base/compat.h"
 #include <petscsf.h>
 
-/* The numbers of physical groups that a name stands for, joined with '+'. */
+/* The numbers of the physical groups of a name, or of several joined with '+'. */
 typedef struct {
   PetscInt  num;
   PetscInt *tag, *count; /* cells of the body in each [num] */
 } Tags;
 
-/* The part of n things that a rank has begins here; the rank that has one of them. */
-static PetscInt PartBegin_Private(PetscInt n, PetscInt size, PetscInt rank)
+/* The first of n items of a rank; below, the rank of an item. */
+static PetscInt FilePartBegin_Private(PetscInt n, PetscInt size, PetscInt rank)
 {
   return (PetscInt)((PetscInt64)n * rank / size);
 }
 
-static PetscInt PartFind_Private(PetscInt n, PetscInt size, PetscInt i)
+static PetscInt FilePartFind_Private(PetscInt n, PetscInt size, PetscInt i)
 {
   return (PetscInt)((((PetscInt64)i + 1) * size - 1) / n);
 }
@@ -40,12 +40,12 @@ PetscErrorCode FilesGetPoints(const Files *files, PetscInt num, const PetscInt p
 
     while (points[i] >= files->first_point[f + 1]) f++;
     node = points[i] - files->first_point[f];
-    rank = PartFind_Private(files->part[f].all_nodes, files->size, node);
+    rank = FilePartFind_Private(files->part[f].all_nodes, files->size, node);
     for (PetscInt g = 0; g < f; g++)
-      before += PartBegin_Private(files->part[g].all_nodes, files->size, rank + 1) -
-                PartBegin_Private(files->part[g].all_nodes, files->size, rank);
+      before += FilePartBegin_Private(files->part[g].all_nodes, files->size, rank + 1) -
+                FilePartBegin_Private(files->part[g].all_nodes, files->size, rank);
     remote[i].rank  = rank;
-    remote[i].index = before + node - PartBegin_Private(files->part[f].all_nodes, files->size, rank);
+    remote[i].index = before + node - FilePartBegin_Private(files->part[f].all_nodes, files->size, rank);
   }
   PetscCallMPI(MPI_Type_contiguous(3, MPIU_REAL, &triple));
   PetscCallMPI(MPI_Type_commit(&triple));
@@ -81,7 +81,8 @@ PetscErrorCode FileCellsDestroy(FileCells *cells)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A group whose own name has a '+' is meant as a whole. [in] groups - NULL for all cells; [in,out] good - whether each name can be a group */
+/* A group whose own name has a '+' is one group.
+   [in] groups - NULL for all cells; [in,out] good - whether each name can be a group */
 static PetscErrorCode TagsCreate_Private(const GmshNames *names, PetscInt dim, const char groups[], Tags *tags,
                                          PetscBool *good)
 {
@@ -148,7 +149,7 @@ static PetscErrorCode BodiesFind_Private(Scene scene, const Files *files, PetscI
     PetscCall(TagsCreate_Private(&files->names[f], files->dim, scene->bodies[b].region, &tags, good));
     for (PetscInt e = 0; e < mesh->num_elements; e++) {
       if (mesh->type[e]->dim != files->dim || (scene->bodies[b].region && !TagsHave_Private(&tags, mesh, e))) continue;
-      if (body[e] >= 0) *good = PETSC_FALSE; // two bodies of the same cells
+      if (body[e] >= 0) *good = PETSC_FALSE; // the cell is in two bodies
       body[e] = b;
     }
     PetscCall(TagsCheck_Private(files->comm, &tags, good));
@@ -157,7 +158,8 @@ static PetscErrorCode BodiesFind_Private(Scene scene, const Files *files, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The material of each element of a body that has regions. [in,out] material - that of the body before [part->num_elements] */
+/* The material of each element of a body that has regions.
+   [in,out] material - that of the body before [part->num_elements] */
 static PetscErrorCode MaterialsFind_Private(Scene scene, const Files *files, PetscInt b, const PetscInt body[],
                                             PetscInt material[], PetscBool *good)
 {
@@ -183,7 +185,7 @@ static PetscErrorCode MaterialsFind_Private(Scene scene, const Files *files, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The cells of a file behind those that are there. Cells of no body come too: they tell where facets are. */
+/* Appends the cells of a file, also those of no body: their facets are not on a boundary. */
 static PetscErrorCode FileCellsAdd_Private(Scene scene, const Files *files, PetscInt f, FileCells *cells,
                                            PetscBool *good)
 {
@@ -214,7 +216,8 @@ static PetscErrorCode FileCellsAdd_Private(Scene scene, const Files *files, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Middles and senses of cells; whether corners are different, and a plane mesh is plane. Collective. */
+/* Middles and orientations of cells; checks that corners differ, and that a plane mesh is plane.
+   Collective. */
 static PetscErrorCode FileCellsSetMiddles_Private(const Files *files, FileCells *cells, PetscBool *good)
 {
   PetscReal range[2] = {PETSC_MAX_REAL, PETSC_MAX_REAL}, *x; // the least of z and of -z
@@ -254,7 +257,7 @@ static PetscErrorCode FileCellsSetMiddles_Private(const Files *files, FileCells 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many cells there are, their order, and the most nodes of one. Collective. */
+/* Number of cells, their order, and the largest number of nodes of one. Collective. */
 static PetscErrorCode FilesCount_Private(const Files *files, PetscInt *num, PetscInt *max_nodes, PetscInt *order)
 {
   PetscInt most[2] = {0, 1};

@@ -1,7 +1,7 @@
 /* fileconnect.c -- neighbours of cells, and the physical groups of their facets.
 
-   Each facet of a cell, and each facet of a file in a group, is sent to the rank that answers for its lowest point. What has the same
-   corners meets there. */
+   Facets of cells, and facets of a file in a group, are sent to the rank that is responsible for their lowest
+   point. Facets with the same corners are matched there. */
 #include "mesh/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
@@ -12,9 +12,9 @@ enum { CORNERS = 4, NO_CELL = -1, OF_NO_BODY = -2 };
 typedef struct {
   PetscInt
       key[CORNERS]; /* corners, the same for all that have them; -1 for those that triangles and edges do not have */
-  PetscInt  at;     /* place among those that came */
+  PetscInt  at;     /* index among the received records */
   PetscInt  cell, body; /* NO_CELL for a facet of the file; OF_NO_BODY */
-  PetscInt  sense;      /* whether a cell sees the corners in the order of the key */
+  PetscInt  sense;      /* whether a cell has the corners in the order of the key */
   PetscInt  group, group_end;
   PetscReal middle[3];
 } FacetRecord;
@@ -49,7 +49,8 @@ static int FacetCompareFn(const void *a, const void *b)
   return x->at < y->at ? -1 : 1;
 }
 
-/* The records of this rank: of facets of cells, cell after cell, then of those of files. [out] record - freed by the caller */
+/* The records of this rank: of facets of cells, cell after cell, then of those of files.
+   [out] record - freed by the caller */
 static PetscErrorCode RecordsCreate_Private(const Files *files, const FileCells *cells, PetscInt *num,
                                             FacetRecord **record)
 {
@@ -90,8 +91,8 @@ static PetscErrorCode RecordsCreate_Private(const Files *files, const FileCells 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Answers to records with the same corners. Returns whether all is plain: two cells at most, on both sides if of one body, and one facet of the
-   file, which is of some cell. [in] record - [num] */
+/* Answers to records with the same corners. Returns whether they are valid: at most two cells, on opposite
+   sides if of one body; at most one facet of the file, with a cell. [in] record - [num] */
 static PetscBool RecordsMatch_Private(PetscInt num, const FacetRecord record[], FacetAnswer answer[])
 {
   const FacetRecord *cell[2] = {NULL, NULL}, *facet = NULL;
@@ -121,7 +122,7 @@ static PetscBool RecordsMatch_Private(PetscInt num, const FacetRecord record[], 
   return PETSC_TRUE;
 }
 
-/* What cells of this rank hear of their facets. Cells of no body are dropped. */
+/* Enters the answers into the cells of this rank. Cells of no body are removed. */
 static PetscErrorCode FileCellsTake_Private(const FacetAnswer answer[], FileCells *cells)
 {
   PetscInt kept = 0, at = 0;
@@ -154,7 +155,7 @@ static PetscErrorCode FileCellsTake_Private(const FacetAnswer answer[], FileCell
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Answers of this rank. [in] record - those that came, sorted here [num] */
+/* Answers of this rank. [in,out] record - received ones, sorted here [num] */
 static PetscBool RecordsAnswer_Private(PetscInt num, FacetRecord record[], FacetAnswer answer[])
 {
   PetscBool good = PETSC_TRUE;

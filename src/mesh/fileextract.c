@@ -88,9 +88,8 @@ PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order
   return CellGetMeasure(type, list->dim, X);
 }
 
-/* Positions and cells, of the order that the file has: a body of order 1 gets its new vertices from them when
-   it is refined. Cells that are inside out are turned here, so that a body has one orientation before its
-   map. */
+/* Positions and cells, of the order of the file: refinement of a body of order 1 takes its new vertices from
+   them. Cells that are inside out are reversed here, so that a body has one orientation before its map. */
 static void ExtractCells_Private(const Extract *x, BodyList *list)
 {
   const Level *level = &x->level;
@@ -114,8 +113,8 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
   }
 }
 
-/* Tables of the file's mesh, split as often as the body wants. A file of second order is followed along its
-   curves, so that the vertices of a body are the same whatever its order. */
+/* Tables of the file's mesh, with the body's own refinements. New vertices follow the curves of a file of
+   second order, so that the vertices of a body do not depend on its order. */
 static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt body, MeshFile file)
 {
   PetscInt size;

@@ -1,4 +1,4 @@
-/* filelists.c -- cells move to their ranks, and become the lists of bodies there. */
+/* filelists.c -- sends cells to their ranks, and makes the lists of bodies there. */
 #include "mesh/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
@@ -87,7 +87,7 @@ static PetscErrorCode FileCellsGetPoints_Private(const FileCells *cells, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Facets of a cell that are of sides; the cell may have been turned. [in] tag - of each side */
+/* Adds the facets of a cell that are on sides; the cell may have been reversed. [in] tag - of each side */
 static PetscErrorCode ListAddFacets_Private(const Files *files, const FileCells *cells, PetscInt c, PetscInt num_sides,
                                             const PetscInt tag[], const PetscInt before[], BodyList *list)
 {
@@ -110,7 +110,7 @@ static PetscErrorCode ListAddFacets_Private(const Files *files, const FileCells 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How many cells and facets of sides a body has here, and nodes that the file does not give. */
+/* Numbers of cells and facets of sides of a body on this rank, and of nodes that are not in the file. */
 static void ListCount_Private(const Files *files, const FileCells *cells, PetscInt body, PetscInt num_sides,
                               const PetscInt tag[], PetscInt count[3])
 {
@@ -124,7 +124,8 @@ static void ListCount_Private(const Files *files, const FileCells *cells, PetscI
   }
 }
 
-/* Nodes of a list: vertices, then others. Collective. [in] num, points - of both [2]; more - nodes that the file does not give */
+/* Nodes of a list: vertices, then others. Collective.
+   [in] num, points - of both [2]; more - nodes that are not in the file */
 static PetscErrorCode ListCreateNodes_Private(const Files *files, const PetscInt num[], PetscInt *const points[],
                                               const PetscInt count[], BodyList *list)
 {
@@ -146,7 +147,9 @@ static PetscErrorCode ListCreateNodes_Private(const Files *files, const PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The list of one body. Collective. [in] tag - of its sides [num_sides]; [out] ids - of its vertices [list->num_vertices], freed by the caller */
+/* The list of one body. Collective.
+   [in] tag - of its sides [num_sides]; [out] ids - of its vertices [list->num_vertices], freed by the
+   caller */
 static PetscErrorCode ListCreate_Private(Scene scene, const Files *files, const FileCells *cells, PetscInt body,
                                          const SideTags *sides, BodyList *list, PetscInt **ids)
 {

@@ -1,5 +1,5 @@
-/* fileparting.c -- the ranks of cells of files. The first rank has the facets that may touch, and of meshes that are not large the graph of all
-   cells, which METIS parts there. */
+/* fileparting.c -- the ranks of cells of files. The first rank gathers the facets that may touch. If the mesh
+   is not large it also gathers the graph of all cells, and partitions it by METIS. */
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <petscsf.h>
@@ -12,7 +12,8 @@ typedef struct {
   PetscReal x[CORNERS][3];
 } SideFacet;
 
-/* Values of cells of other ranks. Collective. [in] value - of own cells [cells->num]; [out] across - of the neighbour [num][FILE_FACETS] */
+/* Values of cells of other ranks. Collective.
+   [in] value - of own cells [cells->num]; [out] across - of the neighbour [num][FILE_FACETS] */
 static PetscErrorCode NeighboursGet_Private(MPI_Comm comm, const FileCells *cells, const PetscReal value[],
                                             PetscReal across[])
 {
@@ -76,7 +77,8 @@ static PetscErrorCode FacetIsOf_Private(const Files *files, const FileCells *cel
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Facets of this rank of one side, their corners as points for now. [in,out] facet, corner - freed by the caller */
+/* Facets of one side on this rank, with points in place of corners.
+   [in,out] facet, corner - freed by the caller */
 static PetscErrorCode SideFacetsAdd_Private(const Files *files, const FileCells *cells, const SceneSide *side,
                                             PetscInt end, PetscInt *num, SideFacet **facet, PetscInt **corner)
 {
@@ -107,9 +109,10 @@ static PetscErrorCode SideFacetsAdd_Private(const Files *files, const FileCells 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Arrays of all ranks, one after another, on the first. Collective. [out] all - freed by the caller, NULL on others */
-static PetscErrorCode Gather_Private(const Files *files, size_t bytes, PetscInt num, const void *mine, PetscInt *total,
-                                     void **all)
+/* Arrays of all ranks, one after another, on the first. Collective.
+   [out] all - freed by the caller, NULL on others */
+static PetscErrorCode FilesGather_Private(const Files *files, size_t bytes, PetscInt num, const void *mine,
+                                          PetscInt *total, void **all)
 {
   PetscMPIInt *counts, *begins, n;
   MPI_Datatype type;
@@ -133,7 +136,8 @@ static PetscErrorCode Gather_Private(const Files *files, size_t bytes, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The facets of one end of a pair among those gathered, on a level that has their corners. [out] level, facets - freed by the caller */
+/* The facets of one end of a pair among those gathered, on a level that has their corners.
+   [out] level, facets - freed by the caller */
 static PetscErrorCode SideFacetsSelect_Private(PetscInt num, const SideFacet facet[], PetscInt end, PetscInt dim,
                                                Level *level, Facets *facets)
 {
@@ -175,7 +179,7 @@ static PetscErrorCode FileCellsAddContact_Private(Scene scene, const Files *file
   for (PetscInt i = 0; i < num; i++) PetscCall(PetscArraycpy(&own[i].x[0][0], &x[3 * CORNERS * i], 3 * CORNERS));
   PetscCall(PetscFree(x));
   PetscCall(PetscFree(corner));
-  PetscCall(Gather_Private(files, sizeof(*own), num, own, &total, (void **)&all));
+  PetscCall(FilesGather_Private(files, sizeof(*own), num, own, &total, (void **)&all));
   PetscCall(PetscFree(own));
   PetscCall(PetscMalloc1(total * CORNERS * files->dim, &level.coords));
   for (PetscInt p = 0; p < scene->num_pairs && !files->rank; p++) {
@@ -198,14 +202,15 @@ static PetscErrorCode GraphGather_Private(const Files *files, CellGraph *graph)
   PetscInt *end, *weight, total;
 
   PetscFunctionBeginUser;
-  PetscCall(Gather_Private(files, 2 * sizeof(PetscInt), graph->num, graph->end, &total, (void **)&end));
-  PetscCall(Gather_Private(files, sizeof(PetscInt), graph->num, graph->weight, &total, (void **)&weight));
+  PetscCall(FilesGather_Private(files, 2 * sizeof(PetscInt), graph->num, graph->end, &total, (void **)&end));
+  PetscCall(FilesGather_Private(files, sizeof(PetscInt), graph->num, graph->weight, &total, (void **)&weight));
   PetscCall(CellGraphDestroy(graph));
   *graph = (CellGraph){.num = total, .max = total, .num_neighbours = total, .end = end, .weight = weight};
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The first rank parts the graph of all cells. Collective. [in,out] graph - edges across facets of this rank; gathered */
+/* The first rank parts the graph of all cells. Collective.
+   [in,out] graph - edges across facets of this rank; gathered */
 static PetscErrorCode GraphCutFirst_Private(Scene scene, const Files *files, const FileCells *cells, PetscInt refine,
                                             CellGraph *graph, PetscInt part[])
 {
@@ -215,8 +220,8 @@ static PetscErrorCode GraphCutFirst_Private(Scene scene, const Files *files, con
 
   PetscFunctionBeginUser;
   PetscCall(GraphGather_Private(files, graph));
-  PetscCall(Gather_Private(files, sizeof(PetscInt), cells->num, cells->type, &total, (void **)&level.cell_type));
-  PetscCall(Gather_Private(files, sizeof(PetscInt), cells->num, cells->body, &total, (void **)&level.cell_body));
+  PetscCall(FilesGather_Private(files, sizeof(PetscInt), cells->num, cells->type, &total, (void **)&level.cell_type));
+  PetscCall(FilesGather_Private(files, sizeof(PetscInt), cells->num, cells->body, &total, (void **)&level.cell_body));
   if (!files->rank) PetscCall(PetscCalloc2(total, &graph->contact, total, &whole));
   PetscCall(FileCellsAddContact_Private(scene, files, cells, graph));
   if (!files->rank) PetscCall(CellGraphCut(scene, &level, refine, graph, files->size, whole));

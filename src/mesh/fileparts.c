@@ -1,4 +1,5 @@
-/* fileparts.c -- the mesh of files of many cells, made by all ranks: read in parts, connected, parted, moved, and joined. */
+/* fileparts.c -- the mesh of files of many cells, made by all ranks: read in parts, connected, partitioned,
+   redistributed, and joined. */
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <string.h>
@@ -94,7 +95,7 @@ static PetscErrorCode SidesCheck_Private(Scene scene, const Files *files, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The lists of this rank as parts of one mesh. Collective. [out] good - whether each body is in one piece */
+/* The lists of this rank as parts of one mesh. Collective. [out] good - whether each body is connected */
 static PetscErrorCode FilePartsMerge_Private(Scene scene, const Files *files, const FileCells *cells,
                                              const SideNames names[], DM *dm, Curves *curves, PetscBool *good)
 {
@@ -123,7 +124,7 @@ static PetscErrorCode FilePartsMerge_Private(Scene scene, const Files *files, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Parts of several pieces may touch, or be connected by vertices alone: that is for the first rank to look at. */
+/* Components of a body may touch, or be connected by vertices alone: only the first rank can check this. */
 PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good)
 {

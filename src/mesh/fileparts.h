@@ -1,9 +1,9 @@
-/* fileparts.h -- mesh files of many cells, of which each rank holds a part from the beginning. Private to this module.
+/* fileparts.h -- mesh files of many cells, distributed from the beginning. Private to this module.
 
-   A rank has some cells of the files as they stand there (FileCells), finds the neighbours of each, has them parted, sends them to
-   their ranks, and makes lists of those that come (BodyList), which MeshMerge() makes a DM of. Mistakes are not told here: whatever is not
-   plain, all ranks agree to have it done by the first rank, which tells them, and warns.
-   Points are counted over all files. */
+   A rank reads some cells of the files in their order (FileCells) and finds their neighbours. Cells are
+   partitioned and sent to their ranks. The received ones become lists (BodyList), and MeshMerge() makes a DM
+   of these. Nothing is reported here. In case of any mistake or doubt the first rank makes the mesh instead,
+   reports mistakes and warns. Points are numbered over all files. */
 #ifndef MORTISE_FILEPARTS_H
 #define MORTISE_FILEPARTS_H
 
@@ -41,7 +41,8 @@ typedef struct {
 
 PetscErrorCode FileCellsAllocate(PetscInt num, PetscInt max_nodes, FileCells *cells);
 PetscErrorCode FileCellsDestroy(FileCells *cells);
-/* The cells of all bodies. Collective. [in] names - of sides of each body; [out] good - the same on all ranks */
+/* The cells of all bodies. Collective.
+   [in] names - of sides of each body; [out] good - the same on all ranks */
 PetscErrorCode FileCellsCreate(Scene scene, const Files *files, FileCells *cells, PetscBool *good);
 /* Finds neighbours and groups of facets. Collective. [in,out] good */
 PetscErrorCode FileCellsConnect(const Files *files, FileCells *cells, PetscBool *good);
@@ -51,24 +52,27 @@ PetscBool FileCellsHasSide(const Files *files, const FileCells *cells, PetscInt 
 /* The rank of each cell. Collective. [in] refine - how often the mesh will be; [out] part - [cells->num] */
 PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, const FileLimits *limits,
                              PetscInt refine, PetscInt part[]);
-/* Whether there is a library that parts a graph on all ranks; parts it. Collective. [in] graph - edges of all cells, each on any one rank */
+/* Whether there is a library that partitions a graph on all ranks; partitions it. Collective.
+   [in] graph - edges of all cells, each on any one rank */
 PetscBool      GraphHasParallel(void);
 PetscErrorCode GraphCutParallel(Scene scene, const Files *files, const FileCells *cells, const CellGraph *graph,
                                 PetscInt part[]);
 
-/* Moves cells to their ranks: others take their place. Collective. */
+/* Sends cells to their ranks, and replaces them by the received ones. Collective. */
 PetscErrorCode FileCellsMove(const Files *files, const PetscInt part[], FileCells *cells);
-/* The lists of this rank's cells, each with its vertices in ascending order. Collective. [out] ids - of the vertices of all lists: that of
-   point p of body b is b files->num_points + p; freed by the caller */
+/* The lists of this rank's cells, each with its vertices in ascending order. Collective.
+   [out] ids - of the vertices of all lists: that of point p of body b is b files->num_points + p; freed by
+   the caller */
 PetscErrorCode FileListsCreate(Scene scene, const Files *files, const FileCells *cells, const SideNames names[],
                                BodyList lists[], PetscInt **ids);
 
-/* Joins the parts of all ranks. Collective. [in] ids - of the DM's vertices, ascending, below num_ids: the same on all ranks */
+/* Joins the parts of all ranks. Collective.
+   [in] ids - of the DM's vertices, ascending, below num_ids: the same on all ranks */
 PetscErrorCode PlexJoin(DM dm, PetscInt num_ids, const PetscInt ids[]);
-/* Lets edges and facets of several ranks begin at their vertex of the lowest number, towards the lower one beside it: refinement goes on
-   from how they are seen. Ranks have vertices in the same order. Collective. */
+/* Orients edges and facets of several ranks from their vertex of the lowest number towards the lower
+   neighbour: refinement depends on their orientation. Ranks have vertices in the same order. Collective. */
 PetscErrorCode PlexOrientShared(DM dm, PetscInt dim);
-/* How many sets of cells are joined facet by facet, in all. Collective. */
+/* Number of sets of cells that are joined facet by facet, on all ranks. Collective. */
 PetscErrorCode PlexCountComponents(DM dm, PetscInt *num);
 
 #endif

@@ -21,7 +21,7 @@ static PetscErrorCode GroupMark_Private(DM dm, const GmshNames *names, const cha
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A group whose own name has a '+' is meant as a whole. */
+/* A group whose own name has a '+' is one group. */
 PetscErrorCode RegionMark(DM dm, const GmshNames *names, const char groups[], PetscBool chosen[], char lacking[])
 {
   SideNames parts = {0, NULL};
@@ -48,7 +48,7 @@ PetscErrorCode RegionMark(DM dm, const GmshNames *names, const char groups[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* "steel (1), rubber (2)": groups that some cells are in. [in] wanted - which cells [num_cells]; [out] text -
+/* "steel (1), rubber (2)": groups of some cells. [in] wanted - these cells [num_cells]; [out] text -
    "" if there are none [len] */
 static PetscErrorCode GroupsDescribe_Private(const Extract *x, const PetscBool wanted[], char text[], size_t len)
 {
@@ -76,7 +76,8 @@ static PetscErrorCode GroupsDescribe_Private(const Extract *x, const PetscBool w
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* "-b_<option> x: the mesh has no cells in a physical group of this name or number; it has steel (1), rubber (2)" */
+/* "-b_<option> x: the mesh has no cells in a physical group of this name or number; it has steel (1), rubber
+   (2)" */
 static PetscErrorCode GroupLacks_Private(const Extract *x, const char option[], const char group[], char sentence[])
 {
   char        text[MESH_SENTENCE / 2];
@@ -160,7 +161,7 @@ static PetscErrorCode ExtractRegion_Private(const Extract *x, Scene scene, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Says that there are cells in no region, and no material for them. */
+/* The user error of cells in no region without a material. */
 static PetscErrorCode ExtractCheckRest_Private(const Extract *x, PetscInt body, const BodyList *list, char sentence[])
 {
   char       text[MESH_SENTENCE / 2];

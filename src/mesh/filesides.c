@@ -1,7 +1,7 @@
 /* filesides.c -- the sides of a body from the mesh of its file.
 
-   A facet belongs to a side of the body if it carries the side's number and lies on the boundary of the body's own
-   cells: where two bodies share a file, what lies between their regions is a side of each. */
+   A facet belongs to a side of the body if it has the side's number and is on the boundary of the body's own
+   cells. Facets between the regions of two bodies of one file may be on sides of both. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 #include <string.h>
@@ -53,11 +53,11 @@ static PetscBool CellKeepsSense_Private(const BodyList *list, PetscInt cell, con
   PetscInt          at    = 0;
 
   while (nodes[local[at]] != corners[0]) at++;
-  if (num == 2) return at == 0 ? PETSC_TRUE : PETSC_FALSE; // the ends of a line follow each other either way round
+  if (num == 2) return at == 0 ? PETSC_TRUE : PETSC_FALSE; // the ends of a line are neighbours in either order
   return nodes[local[(at + 1) % num]] == corners[1] ? PETSC_TRUE : PETSC_FALSE;
 }
 
-/* How many chosen cells see a facet in the order of the mesh, and how many in the reverse. [out] num - [2] */
+/* Numbers of chosen cells that have a facet in the order of the mesh, and in the reverse. [out] num - [2] */
 static PetscErrorCode FacetCountSenses_Private(const Extract *x, const BodyList *list, PetscInt facet, PetscInt num[])
 {
   const PetscInt *support;
@@ -93,7 +93,7 @@ static PetscErrorCode FacetDescribe_Private(const Extract *x, const BodyList *li
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* No cell is inside out by now, so two that see a facet in one sense lie on the same side of it. */
+/* No cell is inside out here: two cells with the same orientation of a facet lie on the same side of it. */
 PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char sentence[])
 {
   PetscInt begin, end, num[2];
@@ -114,7 +114,8 @@ PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char s
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The body's boundary facets with a number; entered into the lists under the index of a side if index >= 0. */
+/* The body's boundary facets with a number; entered into the lists under the index of a side if index >=
+   0. */
 static PetscErrorCode ExtractSide_Private(const Extract *x, PetscInt tag, PetscInt index, BodyList *list,
                                           SideCount *count)
 {

@@ -2,8 +2,8 @@
 #include "mesh/forest.h"
 #include "base/compat.h"
 
-/* Largest number of bisections of a tangled cell. Each halving of a curved edge leaves a quarter of its rise; long thin
-   cells along a circle need more than three. */
+/* Largest number of bisections of a tangled cell. Each halving of a curved edge leaves a quarter of its rise;
+   long thin cells along a circle need more than three. */
 enum { UNTANGLE_TIMES = 12 };
 
 /* The facet of a simplex opposite a vertex. */
@@ -20,8 +20,8 @@ static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
   return -1;
 }
 
-/* Numbers the facets that have sides. [out] facets - number of the facet opposite each vertex, -1 without a side
-   [num_cells][dim+1] */
+/* Numbers the facets that have sides.
+   [out] facets - number of the facet opposite each vertex, -1 without a side [num_cells][dim+1] */
 static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt facets[])
 {
   const BodyList *list = &tree->list;
@@ -96,8 +96,8 @@ PetscErrorCode BodyListMapVertices(const BodyList *list, const SceneBody *body, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Positions after the map of the nodes of a cell, as one of the given type. [out] X - [nodes of type][dim]; [out] finite -
-   whether the map is finite at all of them */
+/* Positions after the map of the nodes of a cell, as one of the given type.
+   [out] X - [nodes of type][dim]; [out] finite - whether the map is finite at all of them */
 static PetscErrorCode CellMapNodes_Private(const BodyList *list, const SceneBody *body, PetscInt cell, ElementType type,
                                            PetscReal X[], PetscBool *finite)
 {
@@ -192,8 +192,8 @@ PetscErrorCode TreeDestroy(Tree *tree)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A cell and its parent: vertices of both in the order of their elements, and those of the parent in the order of the
-   bisection. */
+/* A cell and its parent: vertices of both in the order of their elements, and those of the parent in the
+   order of the bisection. */
 typedef struct {
   const Bisection *mesh;
   PetscInt         cell;
@@ -239,8 +239,8 @@ static void TreeSetNode_Private(const Tree *tree, const BodyList *old, PetscInt 
   }
 }
 
-/* Creates the list of the bisected mesh. Each cell of order 2 has middle nodes of its own; the DM joins those that
-   coincide. */
+/* Creates the list of the bisected mesh. Each cell of order 2 has middle nodes of its own; the DM joins those
+   that coincide. */
 static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList *list)
 {
   const Bisection *mesh = &tree->mesh;

@@ -1,13 +1,16 @@
-/* gmshplex.c -- a Gmsh file as one DMPlex, with its physical groups as labels "Cell Sets" and "Face Sets", and the
-   positions of middle nodes where its cells are of second order.
+/* gmshplex.c -- a Gmsh file as one DMPlex.
 
-   Cells are the elements of the scene's dimension, facets those of one less; others are left alone. */
+   Physical groups are the labels "Cell Sets" and "Face Sets". Cells of second order have positions of middle
+   nodes.
+
+   Cells are the elements of the scene's dimension, facets those of one less; others are ignored. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include <string.h>
 
-/* Sets the node in the middle of an element to the value of serendipity shape functions. The order of the element
-   is that of element.h. [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
+/* Sets the node in the middle of an element to the value of serendipity shape functions. The order of the
+   element is that of element.h.
+   [in] local - which of the cell's nodes the element's are, NULL for the cell itself */
 static void MiddleSet_Private(ElementType type, const PetscInt local[], const PetscInt nodes[], PetscInt middle,
                               BodyList *list)
 {
@@ -24,7 +27,7 @@ static void MiddleSet_Private(ElementType type, const PetscInt local[], const Pe
   }
 }
 
-/* Cells that share a facet agree about it, so each may have a node of its own there. */
+/* Cells that share a facet compute the same position there, so each may have a node of its own. */
 void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list)
 {
   const ElementType type  = (ElementType)list->cell_type[cell];
@@ -87,8 +90,8 @@ static PetscErrorCode GmshGetCells_Private(const GmshMesh *mesh, PetscInt dim, P
 }
 
 /* The facet of the DM that an element of the file is, -1 if it is none. */
-static PetscErrorCode FacetGetPoint_Private(const GmshMesh *mesh, PetscInt e, const PetscInt number[], DM dm,
-                                            PetscInt *point)
+static PetscErrorCode GmshGetFacetPoint_Private(const GmshMesh *mesh, PetscInt e, const PetscInt number[], DM dm,
+                                                PetscInt *point)
 {
   const PetscInt *nodes = &mesh->nodes[mesh->start[e]], *join, corners = GmshNumCorners(mesh, e);
   PetscInt        first, last, begin, end, num, size, vertices[ELEMENT_MAX_FACET_NODES];
@@ -139,7 +142,7 @@ static PetscErrorCode GmshSetLabels_Private(const GmshMesh *mesh, const PetscInt
     if (is_cell)
       at = point[cell++];
     else if (mesh->type[e]->dim == dim - 1 && mesh->first_group[e] < mesh->end_group[e])
-      PetscCall(FacetGetPoint_Private(mesh, e, number, dm, &at));
+      PetscCall(GmshGetFacetPoint_Private(mesh, e, number, dm, &at));
     else
       continue; // in no group, or the edge of a solid
     if (at < 0) GmshDescribeFacet_Private(mesh, e, dim, reason);

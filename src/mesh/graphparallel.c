@@ -1,7 +1,7 @@
-/* graphparallel.c -- the graph of cells, parted by all ranks.
+/* graphparallel.c -- the graph of cells, partitioned by all ranks.
 
-   PT-Scotch or ParMETIS, whichever PETSc has; PT-Scotch takes one weight for a cell, so that contact is not shared out as METIS does it, and
-   parts have no correction for nodes between them. */
+   PT-Scotch or ParMETIS, whichever PETSc has. PT-Scotch takes one weight for a cell: contact is not balanced
+   separately, as by METIS. Parts have no correction for nodes between them. */
 #define _GNU_SOURCE // RTLD_DEFAULT
 #include "mesh/exchange.h"
 #include "mesh/fileparts.h"
@@ -22,7 +22,7 @@ typedef struct {
   PetscInt row, column, weight;
 } HalfEdge;
 
-/* Debian's PETSc of 64-bit indices goes with a PT-Scotch of 32-bit ones, and fails there. */
+/* Debian's PETSc of 64-bit indices is built with a PT-Scotch of 32-bit ones, and fails. */
 static PetscBool ScotchFits_Private(void)
 {
 #if defined(PETSC_HAVE_PTSCOTCH)
@@ -86,7 +86,7 @@ static PetscErrorCode GraphCreateMat_Private(const Files *files, const FileCells
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(cells->num + 1, &start));
   PetscCall(PetscCalloc1(cells->num + 2, &begin));
-  PetscCall(PetscMalloc1(num + 1, &column)); // PT-Scotch wants no NULL where there are none
+  PetscCall(PetscMalloc1(num + 1, &column)); // PT-Scotch does not accept NULL for an empty list
   PetscCall(PetscMalloc1(num + 1, &weight));
   for (PetscInt i = 0; i < num; i++) begin[half[i].row - cells->first + 2]++;
   for (PetscInt c = 0; c < cells->num; c++) begin[c + 2] += begin[c + 1];

@@ -1,4 +1,5 @@
-/* insidebody.c -- points are compared with the cells of a body by a tree of boxes, on the ranks that have the cells. */
+/* insidebody.c -- points are compared with the cells of a body by a tree of boxes, on the ranks that have the
+   cells. */
 #include "kernel/boxtree.h"
 #include "base/compat.h"
 #include "mesh/insidebody.h"
@@ -31,7 +32,8 @@ PetscErrorCode GatheredPointsDestroy(GatheredPoints *points)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The vertices of a cell and the box around them. [out] X - [nodes][dim]; box - lower, upper corner [2][dim] */
+/* The vertices of a cell and the box around them.
+   [out] X - [nodes][dim]; box - lower, upper corner [2][dim] */
 static void InsideBodyGetCell_Private(const Level *level, PetscInt c, PetscReal X[], PetscReal box[])
 {
   const PetscInt  dim   = level->dim;

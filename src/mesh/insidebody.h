@@ -11,7 +11,8 @@ typedef struct {
   PetscBool *flag; /* not set here [num] */
 } GatheredPoints;
 
-/* Gathers the points of all ranks. Collective. [in] mine - of this rank [num][dim]; [out] points - owned by the caller */
+/* Gathers the points of all ranks. Collective.
+   [in] mine - of this rank [num][dim]; [out] points - owned by the caller */
 PetscErrorCode GatheredPointsCreate(const Level *level, PetscInt num, const PetscReal mine[], GatheredPoints *points);
 PetscErrorCode GatheredPointsDestroy(GatheredPoints *points);
 

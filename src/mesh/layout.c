@@ -1,8 +1,8 @@
 /* layout.c -- Vecs and Mats in the layout of a level's nodes.
 
-   A wrong preallocation makes assembly many times slower or an error, DMCreateMatrix() is slower than the assembly
-   itself. Here the graph of the nodes is counted from the points of the mesh, without a search and with one
-   exchange. */
+   A wrong preallocation makes assembly many times slower or an error, DMCreateMatrix() is slower than the
+   assembly itself. Here the graph of the nodes is counted from the points of the mesh, without a search and
+   with one exchange. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include <petscbt.h>
@@ -45,13 +45,13 @@ static PetscErrorCode LevelGetOwners_Private(const Level *level, PetscMPIInt **o
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Pairs of nodes of an element that no facet of it holds both of. */
+/* Pairs of nodes of an element that are not on a common facet. */
 typedef struct {
   PetscInt num, node[ELEMENT_MAX_NODES * (ELEMENT_MAX_NODES - 1) / 2][2];
 } Pairs;
 
 /* Whether two nodes of an element are on one facet; facets of edges are points. */
-static PetscBool ShareFacet_Private(ElementType type, PetscInt a, PetscInt b)
+static PetscBool NodesShareFacet_Private(ElementType type, PetscInt a, PetscInt b)
 {
   if (ElementFacetType(type) == ELEMENT_COUNT) return PETSC_FALSE;
   for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
@@ -65,13 +65,13 @@ static PetscBool ShareFacet_Private(ElementType type, PetscInt a, PetscInt b)
 }
 
 /* [out] pairs - of every type [ELEMENT_COUNT] */
-static void PairsSet_Private(Pairs pairs[])
+static void NodePairsSet_Private(Pairs pairs[])
 {
   for (PetscInt t = 0; t < ELEMENT_COUNT; t++) {
     pairs[t].num = 0;
     for (PetscInt b = 0; b < ElementNumNodes((ElementType)t); b++) {
       for (PetscInt a = 0; a < b; a++) {
-        if (ShareFacet_Private((ElementType)t, a, b)) continue;
+        if (NodesShareFacet_Private((ElementType)t, a, b)) continue;
         pairs[t].node[pairs[t].num][0]   = a;
         pairs[t].node[pairs[t].num++][1] = b;
       }
@@ -79,16 +79,17 @@ static void PairsSet_Private(Pairs pairs[])
   }
 }
 
-/* Two nodes are neighbours. [in,out] count - neighbours with the same owner, and with another [num_nodes][2] */
-static void CountPair_Private(const PetscMPIInt owner[], PetscInt a, PetscInt b, PetscScalar count[])
+/* Counts two nodes as neighbours.
+   [in,out] count - neighbours with the same owner, and with another [num_nodes][2] */
+static void LevelCountPair_Private(const PetscMPIInt owner[], PetscInt a, PetscInt b, PetscScalar count[])
 {
   count[2 * a + (owner[a] != owner[b])] += 1;
   count[2 * b + (owner[a] != owner[b])] += 1;
 }
 
-/* Neighbours of the local nodes that this rank answers for. Every pair of nodes in a common cell spans one smallest
-   point of the mesh: the edge or the cell whose facets do not hold both. The rank that owns this point counts the
-   pair, so that sums over the ranks are exact. */
+/* Neighbours of the local nodes that this rank answers for. Every pair of nodes in a common cell spans one
+   smallest point of the mesh: an edge or a cell, no facet of which has both. The rank that owns this point
+   counts the pair, so that sums over the ranks are exact. */
 static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
 {
   const PetscInt *leaves;
@@ -99,7 +100,7 @@ static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
   PetscBT         ghost;
 
   PetscFunctionBeginUser;
-  PairsSet_Private(pairs);
+  NodePairsSet_Private(pairs);
   PetscCall(LevelGetOwners_Private(level, &owner));
   for (PetscInt i = 0; i < level->num_owned; i++) count[2 * i] += 1;
 
@@ -119,7 +120,7 @@ static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
       if (PetscBTLookup(ghost, p - first)) continue;
       PetscCall(PointGetNodes(level, p, &type, nodes));
       for (PetscInt i = 0; i < pairs[type].num; i++)
-        CountPair_Private(owner, nodes[pairs[type].node[i][0]], nodes[pairs[type].node[i][1]], count);
+        LevelCountPair_Private(owner, nodes[pairs[type].node[i][0]], nodes[pairs[type].node[i][1]], count);
     }
   }
   PetscCall(PetscBTDestroy(&ghost));

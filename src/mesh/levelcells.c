@@ -1,15 +1,15 @@
 /* levelcells.c -- the cells of a level: bodies, materials, nodes, and a check of their shape.
 
-   Loops over elements want plain arrays: what a cell consists of is looked up in the DM once, here. */
+   Loops over elements need plain arrays: nodes of cells are read from the DM once, here. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 
-/* A cell is degenerate when det J falls below this share of its longest edge squared (cubed in 3D): round-off of the
-   coordinates reaches 1e-15, needle elements of aspect 1e6 keep 1e-6. */
-static const PetscReal DegenerateShare = 1e-10;
+/* A cell is degenerate if det J is below this share of its longest edge squared (cubed in 3D). Roundoff of
+   coordinates reaches 1e-15, needles of aspect 1e6 have 1e-6. */
+static const PetscReal DEGENERATE_SHARE = 1e-10;
 
-/* From the label that the merge has set; a mesh without is of one body. */
+/* From the label that the merge has set; a mesh without it is of one body. */
 PetscErrorCode LevelSetCellMaterials(Level *level)
 {
   DMLabel  label;
@@ -72,7 +72,8 @@ PetscErrorCode LevelSetCells(Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Positions of a cell's nodes; returns the longest distance of neighbouring vertices. [out] X - [num_nodes][dim] */
+/* Positions of a cell's nodes; returns the longest distance of neighbouring vertices.
+   [out] X - [num_nodes][dim] */
 static PetscReal LevelCellCoords_Private(const Level *level, PetscInt cell, PetscReal X[])
 {
   const PetscInt   *nodes   = &level->cell_nodes[level->cell_start[cell]];
@@ -124,10 +125,11 @@ void CellReverse(ElementType type, PetscInt nodes[])
 
 static PetscBool LevelCellIsSound_Private(const Level *level, PetscReal longest, PetscReal jacobian)
 {
-  return (PetscBool)(jacobian > DegenerateShare * PetscPowRealInt(longest, (int)level->dim));
+  return (PetscBool)(jacobian > DEGENERATE_SHARE * PetscPowRealInt(longest, (int)level->dim));
 }
 
-/* Reverses a cell that is inside out; tells whether it did, and whether the cell is sound then. */
+/* Reverses a cell that is inside out.
+   [out] turned - whether it was; sound - whether the cell is valid then */
 static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned, PetscBool *sound)
 {
   const ElementType type = (ElementType)level->cell_type[cell];
@@ -145,8 +147,8 @@ static void LevelTurnCell_Private(Level *level, PetscInt cell, PetscBool *turned
   *sound = LevelCellIsSound_Private(level, longest, jacobian);
 }
 
-/* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides it may be so for all
-   its corners. */
+/* "body 'b' has a degenerate or tangled cell with corners (..), (..)"; with curved sides the corners may be
+   those of a valid cell. */
 static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char sentence[])
 {
   const SceneBody *body  = &level->scene->bodies[level->cell_body[cell]];
@@ -169,8 +171,8 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
              "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the polygons of its file", body->name);
 }
 
-/* Says that a body has cells of both senses: its map has folded it, or the curves of its file, or those of
-   sides that are taken for smooth. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
+/* The user error of a body with cells of both orientations: its map has folded it, or the curves of its file,
+   or those of smooth sides. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
 static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body, PetscInt cell)
 {
   char sentence[MESH_SENTENCE] = "";
@@ -192,15 +194,15 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Before maps every body has one sense (box.c, fileextract.c), and refinement keeps it, but for curves that
-   are no shape of a cell. So a map may turn a body inside out as a whole; one that turns only some of its
-   cells has folded it. */
+/* Before maps every body has one orientation (box.c, fileextract.c), and refinement keeps it except along
+   curves that do not fit a cell. So a map may reverse a whole body; if it reverses only some cells it has
+   folded the body. */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)
 {
   const Scene    scene                   = level->scene;
   char           sentence[MESH_SENTENCE] = "";
   const PetscInt num                     = 2 * scene->num_bodies;
-  PetscInt      *seen;  /* cells that were the right way and inside out [num_bodies][2]; those that are neither */
+  PetscInt      *seen;  /* cells that were the right way and inside out [num_bodies][2]; invalid ones */
   PetscInt      *first; /* of this rank, or -1 [num_bodies][2] */
 
   PetscFunctionBeginUser;

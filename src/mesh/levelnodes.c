@@ -1,14 +1,15 @@
 /* levelnodes.c -- the points of the mesh with a node, and node numbers.
 
-   Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables agree. Nodes are numbered as the
-   cells have them, not as the points of the DM: a refined DM lists vertices, then middles of edges, of facets and of cells, and
-   products with K would fetch the nodes of a cell from as many distant places. */
+   Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables
+   agree. Nodes are numbered in the order of cells, not of points of the DM. A refined DM has vertices, then
+   middles of edges, of facets and of cells: products with K would access distant addresses for the nodes of
+   one cell. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include <petscbt.h>
 
-/* Bodies have no point in common: what bounds a point is of the body that the point is of. [out] body - of every point
-   of the mesh, known for its cells on entry */
+/* Bodies have no point in common: the boundary of a point belongs to the same body.
+   [out] body - of every point of the mesh, known for its cells on entry */
 static PetscErrorCode PointsSetBodies_Private(DM dm, PetscInt dim, PetscInt body[])
 {
   PetscInt first;
@@ -31,8 +32,8 @@ static PetscErrorCode PointsSetBodies_Private(DM dm, PetscInt dim, PetscInt body
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Numbers the points that carry a node as the DM has them, others are -1. Order 1 asks for vertices alone, so that is all its tables
-   know of. [in] body - of every point of the mesh [chart] */
+/* Numbers the points with a node in the order of the DM, others are -1. Tables of order 1 have vertices
+   alone. [in] body - of every point of the mesh [chart] */
 static PetscErrorCode LevelMarkNodes_Private(Level *level, PetscInt max_order, const PetscInt body[])
 {
   PetscInt first, end, vertex_begin, vertex_end;
@@ -53,7 +54,8 @@ static PetscErrorCode LevelMarkNodes_Private(Level *level, PetscInt max_order, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Points in the order in which cells have them, those without nodes last. [out] order - points from point_begin on, owned by the caller */
+/* Points in the order in which cells have them, those without nodes last.
+   [out] order - points from point_begin on, owned by the caller */
 static PetscErrorCode LevelOrderPoints_Private(const Level *level, IS *order)
 {
   const PetscInt num = level->point_end - level->point_begin;
@@ -100,8 +102,9 @@ static PetscErrorCode LevelSetSection_Private(Level *level, IS order)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Local nodes: the owned ones in global order, then those of other ranks. [in] body - of every point of the mesh [chart]; [out] number - of
-   the nodes as the DM has them [num_nodes] */
+/* Local nodes: the owned ones in global order, then those of other ranks.
+   [in] body - of every point of the mesh [chart]; [out] number - of the nodes as the DM has them
+   [num_nodes] */
 static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body[], IS order, PetscInt number[])
 {
   PetscSection    section;
@@ -114,7 +117,7 @@ static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body
   PetscCall(ISGetIndices(order, &points));
   PetscCall(PetscMalloc3(level->num_nodes, &level->node_global, level->num_nodes, &level->node_body,
                          level->num_nodes * level->dim, &level->coords));
-  for (PetscInt ghosts = 0; ghosts < 2; ghosts++) { // first those that this rank owns
+  for (PetscInt ghosts = 0; ghosts < 2; ghosts++) { // first the nodes of this rank
     for (PetscInt i = 0; i < level->num_nodes; i++) {
       const PetscInt p = level->point_begin + points[i];
       PetscInt       offset;

@@ -1,13 +1,14 @@
 /* levelpositions.c -- positions of the nodes of a level.
 
-   The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell has the mean of its
-   vertices, or the position from a file of second order. Finer levels follow the curves of the coarsest. The
-   body's map puts all of them on the exact curve: sides are isoparametric. */
+   The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell is at the mean of the
+   vertices, or at its position in the file. Finer levels follow the curves of the coarsest. The body's map
+   puts all of them on the exact curve: sides are isoparametric. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
 /* Means over vertices, by point: the mean of a point's vertices is the mean of its facets' means.
-   [in,out] X - of all points that may carry nodes, known for vertices on entry [point_end - point_begin][dim] */
+   [in,out] X - of all points that may carry nodes, known for vertices on entry [point_end -
+   point_begin][dim] */
 static PetscErrorCode LevelSetMiddles_Private(const Level *level, PetscReal X[])
 {
   const PetscInt dim = level->dim;
@@ -47,7 +48,7 @@ static PetscErrorCode LevelGetStraight_Private(const Level *level, PetscReal X[]
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1((level->point_end - level->point_begin) * dim, &at));
   PetscCall(DMPlexGetDepthStratum(level->dm, 0, &begin, &end));
-  PetscCall(DMGetCoordinateDim(level->dm, &space_dim)); // a file's mesh may have heights
+  PetscCall(DMGetCoordinateDim(level->dm, &space_dim)); // coordinates of a file may have a third component
   PetscCall(DMGetCoordinatesLocal(level->dm, &coords));
   PetscCall(VecGetArrayRead(coords, &box));
   for (PetscInt v = begin; v < end; v++) { // the coordinate section has the vertices in order
@@ -166,8 +167,8 @@ PetscErrorCode LevelBeginArcs(Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Fine nodes lie where the coarse isoparametric cells have them, so that refinement stays on a file's curves;
-   or on the arcs over straight edges. All ranks go the same way, also those without nodes. */
+/* Fine nodes are on the coarse isoparametric cells, so that refinement stays on a file's curves; or on the
+   arcs over straight edges. All ranks take the same branch, also those without nodes. */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine)
 {
   PetscFunctionBeginUser;

@@ -3,16 +3,16 @@
 #include "base/compat.h"
 
 /* A point on a side belongs to the cell; round-off of a position is far below this share of the cell. */
-static const PetscReal LocateTolerance = 1e-8;
+static const PetscReal LOCATE_TOLERANCE = 1e-8;
 /* Boxes of cells are widened by this share where a curve may leave them: half a circle over one facet. */
-static const PetscReal CurveMargin = 0.5;
+static const PetscReal CURVE_MARGIN = 0.5;
 /* A parabola extends beyond the box around its three nodes by an eighth of it. A side of a tri6 or a quad9
    extends by less than a third. */
-static const PetscReal OrderMargin = 1. / 3;
+static const PetscReal ORDER_MARGIN = 1. / 3;
 /* Reference coordinates may leave the cell by this much where a curve does. */
-static const PetscReal CurveTolerance = 1;
+static const PetscReal CURVE_TOLERANCE = 1;
 /* Derivatives of a map are differences over this share of a cell: half the digits of a number. */
-static const PetscReal DifferenceShare = 1e-7;
+static const PetscReal DIFFERENCE_SHARE = 1e-7;
 enum { INVERSE_MAX_STEPS = 20 };
 
 /* The box around the nodes of a cell. */
@@ -35,7 +35,8 @@ static Span SpanOf_Private(PetscInt dim, PetscInt num, const PetscReal X[])
   return span;
 }
 
-/* Whether a point lies in the box around a cell, widened by a share of its size. [out] X - [num_nodes][dim] */
+/* Whether a point lies in the box around a cell, widened by a share of its size.
+   [out] X - [num_nodes][dim] */
 static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const PetscReal x[], PetscReal margin,
                                         PetscReal X[])
 {
@@ -81,7 +82,7 @@ static PetscErrorCode CellGetUnmapped_Private(const Level *level, PetscInt cell,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step of Newton's method for map(X) = x, as far as the span goes: elsewhere the map may not exist.
+/* One step of Newton's method for map(X) = x, limited to the span: elsewhere the map may not exist.
    [in,out] X - [dim];
    [out] length - of the whole step as a share of the span, infinite where the map cannot be inverted */
 static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const PetscReal x[], const Span *span,
@@ -91,13 +92,14 @@ static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const Pe
   PetscReal         at[4 * 3], delta[3], phi[ELEMENT_MAX_NODES], grad[ELEMENT_MAX_NODES * 3];
 
   PetscFunctionBeginUser;
-  /* the images of X and of points beside it span a simplex, in whose reference coordinates the step is known */
+  /* the images of X and of points beside it span a simplex, in whose reference coordinates the step is
+     known */
   PetscCall(ExpressionEvaluate(map, dim, X, at));
   for (PetscInt i = 0; i < dim; i++) {
     PetscReal beside[3];
 
     PetscCall(PetscArraycpy(beside, X, dim));
-    delta[i] = DifferenceShare * (span->high[i] - span->low[i]);
+    delta[i] = DIFFERENCE_SHARE * (span->high[i] - span->low[i]);
     if (2 * X[i] > span->low[i] + span->high[i]) delta[i] = -delta[i]; // inwards
     beside[i] += delta[i];
     PetscCall(ExpressionEvaluate(map, dim, beside, &at[(i + 1) * dim]));
@@ -115,8 +117,8 @@ static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets: of order 1 there
-   is all of the curve, of order 2 what is between it and the parabola. */
+/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets: for order 1
+   between chord and curve, for order 2 between parabola and curve. */
 static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map, PetscInt cell, const PetscReal x[],
                                              PetscBool *holds)
 {
@@ -128,9 +130,9 @@ static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map,
   PetscCall(CellGetUnmapped_Private(level, cell, &type, nodes));
   span = SpanOf_Private(level->dim, ElementNumNodes(type), nodes);
   for (PetscInt d = 0; d < level->dim; d++) X[d] = 0.5 * (span.low[d] + span.high[d]);
-  for (PetscInt i = 0; i < INVERSE_MAX_STEPS && length > LocateTolerance && length < PETSC_INFINITY; i++)
+  for (PetscInt i = 0; i < INVERSE_MAX_STEPS && length > LOCATE_TOLERANCE && length < PETSC_INFINITY; i++)
     PetscCall(InverseStep_Private(map, level->dim, x, &span, X, &length));
-  *holds = length <= LocateTolerance && ElementLocate(type, nodes, X, LocateTolerance, xi) ? PETSC_TRUE : PETSC_FALSE;
+  *holds = length <= LOCATE_TOLERANCE && ElementLocate(type, nodes, X, LOCATE_TOLERANCE, xi) ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -144,12 +146,12 @@ static PetscErrorCode LocateLocally_Private(const Level *level, PetscInt body, E
   *cell = -1;
   for (PetscInt c = 0; c < level->num_cells && *cell < 0; c++) {
     const ElementType type   = (ElementType)level->cell_type[c];
-    const PetscReal   margin = ElementOrder(type) > 1 ? OrderMargin : LocateTolerance;
+    const PetscReal   margin = ElementOrder(type) > 1 ? ORDER_MARGIN : LOCATE_TOLERANCE;
     PetscBool         holds  = PETSC_TRUE;
 
-    if (level->cell_body[c] != body || !LocateMeetsBox_Private(level, c, x, map ? CurveMargin : margin, X)) continue;
+    if (level->cell_body[c] != body || !LocateMeetsBox_Private(level, c, x, map ? CURVE_MARGIN : margin, X)) continue;
     if (map) PetscCall(CellHoldsPoint_Private(level, map, c, x, &holds));
-    if (holds && ElementLocate(type, X, x, map ? CurveTolerance : LocateTolerance, xi)) *cell = c;
+    if (holds && ElementLocate(type, X, x, map ? CURVE_TOLERANCE : LOCATE_TOLERANCE, xi)) *cell = c;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,8 +1,8 @@
 /* mesh.c -- a mesh: lists of bodies, merged, partitioned, refined level by level.
 
-   Boxes and files of many cells are made, read and partitioned by all ranks. Other meshes are made on the first rank alone: so
-   readers, user errors and warnings need no communication. The coarsest mesh is distributed, and each rank refines its part: all
-   ranks share the work and the memory of refinement. */
+   Boxes and files of many cells are made, read and partitioned by all ranks. Other meshes are made on the
+   first rank alone: so readers, user errors and warnings need no communication. The coarsest mesh is
+   distributed, and each rank refines its part: all ranks share the work and the memory of refinement. */
 #include "mesh/meshimpl.h"
 #include "mesh/forest.h"
 #include "base/compat.h"
@@ -47,7 +47,7 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
   for (PetscInt b = 0; b < scene->num_bodies && !rank && !sentence[0]; b++) {
     SceneBody body = scene->bodies[b];
 
-    // a later body is not made once there is a mistake to tell
+    // no further body after a mistake
     BodyCoarsen(&body, scene->dim, coarser);
     if (body.mesh_file) {
       PetscCall(BodyListCreateFile(scene, b, &names[b], &files, &lists[b], sentence));
@@ -60,7 +60,8 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes the merged mesh, or with -adapt the forest of its cells, on the first rank. [in] coarser - number of coarser levels;
+/* Makes the merged mesh, or with -adapt the forest of its cells, on the first rank.
+   [in] coarser - number of coarser levels;
    [out] forest - NULL without -adapt; else dm and curves are not set */
 static PetscErrorCode MeshCreateWhole_Private(Scene scene, PetscInt coarser, DM *dm, Curves *curves, MeshForest *forest)
 {

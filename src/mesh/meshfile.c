@@ -1,13 +1,14 @@
-/* meshfile.c -- mesh files, read once each on the first rank: Gmsh's by gmsh.c, converted ones by hdf5mesh.c, others by DMPlexCreateFromFile().
+/* meshfile.c -- mesh files, read once each on the first rank: Gmsh's by gmsh.c, converted ones by hdf5mesh.c,
+   others by DMPlexCreateFromFile().
 
-   PETSc is kept silent meanwhile, so that a broken file becomes one sentence. Physical groups arrive as values of the
+   PETSc is silent meanwhile, so that an invalid file gives one sentence. Physical groups become values of the
    labels "Cell Sets" and "Face Sets". */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include "gmsh/hdf5mesh.h"
 #include <string.h>
 
-/* What PETSc would have printed: the first line of the first message. */
+/* Stores the first line of PETSc's first message. */
 static PetscErrorCode RecordErrorFn(MPI_Comm comm, int line, const char *function, const char *file,
                                     PetscErrorCode code, PetscErrorType type, const char *message, void *context)
 {
@@ -28,7 +29,7 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
   PetscCall(PetscPushErrorHandler(RecordErrorFn, reason));
   code = DMPlexCreateFromFile(PETSC_COMM_SELF, path, "", PETSC_TRUE, dm);
   PetscCall(PetscPopErrorHandler());
-  if (code) *dm = NULL; // half made, and the run ends: nothing can be gained by taking it apart
+  if (code) *dm = NULL; // incomplete: it cannot be destroyed safely, and the run ends
   if (strstr(reason, "unrecognized extension"))
     snprintf(reason, MESH_SENTENCE,
              "files of this ending cannot be read; write it by Gmsh as .msh, version 2.2 or 4.1");
@@ -36,7 +37,7 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether all cells are of types that there are here. [out] reason - untouched if so [MESH_SENTENCE] */
+/* Whether all cells are of supported types. [out] reason - untouched if so [MESH_SENTENCE] */
 static PetscErrorCode FileCheckTypes_Private(DM dm, char reason[])
 {
   PetscInt       begin, end;
@@ -117,7 +118,7 @@ static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[
 
   PetscFunctionBeginUser;
   if (extension && !strcmp(extension, ".h5")) PetscCall(HDF5MeshProbe(file->path, &converted, &highest));
-  if (converted) { // others may be PETSc's
+  if (converted) { // other HDF5 files may be PETSc's
     PetscCall(HDF5MeshReadPart(file->path, 0, 1, &file->names, &whole, reason, MESH_SENTENCE));
     if (!reason[0]) PetscCall(GmshPlexCreate(&whole.mesh, dim, &file->dm, &file->curves, reason));
     PetscCall(GmshMeshDestroy(&whole.mesh));
@@ -136,7 +137,7 @@ static PetscErrorCode FileRead_Private(MeshFile file, PetscInt dim, char reason[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Bodies of one file are told apart by their regions; the file is read for the first of them. */
+/* Bodies of one file differ by their regions; the file is read for the first of them. */
 PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[])
 {
   char reason[MESH_SENTENCE] = "";

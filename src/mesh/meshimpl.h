@@ -1,7 +1,7 @@
 /* meshimpl.h -- declarations that the files of this module share.
 
-   A body begins as plain lists on the first rank, from a box or from a file. All lists are merged into one DMPlex. Levels are its
-   tables. Functions are not collective unless they say so. */
+   A body begins as plain lists on the first rank, from a box or from a file. All lists are merged into one
+   DMPlex. Levels are its tables. Functions are not collective unless they say so. */
 #ifndef MORTISE_MESHIMPL_H
 #define MORTISE_MESHIMPL_H
 
@@ -13,13 +13,13 @@ enum { MESH_SENTENCE = 1024 }; /* length of the sentence of a user error */
 
 /* Connected sets of cells that touch and are not joined. */
 typedef struct {
-  PetscInt  num_pieces;            /* of the body: connected sets of cells; 0 for a box, whose pieces are not counted */
-  PetscInt  num_nodes, num_facets; /* that coincide with a node of another piece, that lie on a facet of one */
+  PetscInt  num_pieces; /* components of the body: connected sets of cells; 0 for a box, which is not searched */
+  PetscInt  num_nodes, num_facets; /* that coincide with a node, that lie on a facet of another component */
   PetscReal at[3];                 /* the first of them, before the map */
 } UnjoinedPieces;
 
-/* Cells, positions and the facets of the sides that the scene uses. Nodes are the vertices, then the middle nodes of cells of
-   order 2. */
+/* Cells, positions and the facets of the sides that the scene uses. Nodes are the vertices, then the middle
+   nodes of cells of order 2. */
 typedef struct {
   PetscInt       dim, num_cells, num_vertices, num_nodes, num_facets;
   PetscInt      *cell_type;       /* ElementType [num_cells] */
@@ -44,12 +44,14 @@ PetscErrorCode BodyListDestroy(BodyList *list);
 /* All sides of a body that the scene's boundaries and pairs name. */
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
 
-/* Area or volume of a cell at X, negative where it is inside out; of a cell of a list, of at most an order. [in] X - [nodes][dim] */
+/* Area or volume of a cell at X, negative where it is inside out; the same for a cell of a list, with nodes
+   up to an order. [in] X - [nodes][dim] */
 PetscReal CellGetMeasure(ElementType type, PetscInt dim, const PetscReal X[]);
 PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order);
-/* The nodes from num on, in the middle of facets and of the cell itself, that a file does not give. */
+/* Sets the nodes from num on, in the middle of facets and of the cell, which are not in the file. */
 void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list);
-/* The number of the facet of a cell that has exactly these vertices, or -1. [in] cell, facet - node numbers */
+/* The number of the facet of a cell that has exactly these vertices, or -1.
+   [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
 
 /* The bricks of a box that a rank makes, by their numbers in the box, x first. */
@@ -63,16 +65,18 @@ typedef struct {
 PetscErrorCode BodyListCreateBox(const SceneBody *body, PetscInt dim, const SideNames *names, const BoxPart *part,
                                  BodyList *list, char sentence[]);
 
-/* Warns of pieces that touch and are not joined; for the first rank. Not collective. */
+/* Warns of components that touch and are not joined; for the first rank. Not collective. */
 PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
 
-/* Warns of bodies that overlap away from the sides of a pair between them; tied bodies may overlap. Collective. */
+/* Warns of bodies that overlap away from the sides of a pair between them; tied bodies may overlap.
+   Collective. */
 PetscErrorCode BodyOverlapWarn(const Level *level);
 
-/* Number of coarser levels of boxes: how often the cells of all bodies can be twice as large, if solvers use levels.
+/* Number of coarser levels of boxes: how often the cells of all bodies can be twice as large, if solvers use
+   levels.
    [in] num_ranks - that share the coarsest mesh */
 PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks);
-/* Makes the cells of a box larger by so many doublings of their edges. */
+/* Doubles the edges of the cells of a box `times` times. */
 void BodyCoarsen(SceneBody *body, PetscInt dim, PetscInt times);
 
 /* Numbers of the cells and vertices of lists as points of a DM. */
@@ -84,7 +88,8 @@ typedef struct {
 
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering);
 PetscErrorCode NumberingDestroy(Numbering *numbering);
-/* Shapes of one dimension. Each has a list of vertices in PETSc's order and, after ShapesBound(), one of its facets. */
+/* Shapes of one dimension. Each has a list of vertices in PETSc's order and, after ShapesBound(), one of its
+   facets. */
 typedef struct {
   PetscInt  num;
   PetscInt *type;                            /* ElementType of order 1 [num] */
@@ -96,8 +101,8 @@ typedef struct {
 PetscErrorCode ShapesCreate(PetscInt max_shapes, PetscInt max_vertices, Shapes *shapes);
 PetscErrorCode ShapesDestroy(Shapes *shapes);
 void           ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[]);
-/* The facets of shapes, each once: those of the first shape first. [in] num_vertices - which are numbered from 0; [out]
-   lower - owned by the caller */
+/* The facets of shapes, each once: those of the first shape first.
+   [in] num_vertices - of vertices from 0; [out] lower - owned by the caller */
 PetscErrorCode ShapesBound(Shapes *upper, PetscInt num_vertices, Shapes *lower);
 /* PETSc's names of the cells of order 1 [ELEMENT_COUNT]. */
 extern const DMPolytopeType PlexPolytope[];
@@ -115,7 +120,8 @@ PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numb
 PetscErrorCode CurvesDestroy(Curves *curves);
 /* Number of numbers on this rank. */
 PetscErrorCode CurvesGetSize(const Curves *curves, PetscInt *size);
-/* Distributes curves as a DM was. Collective. [in] dm - before the distribution; [in] sf - of DMPlexDistribute() */
+/* Distributes curves as a DM was. Collective.
+   [in] dm - before the distribution; [in] sf - of DMPlexDistribute() */
 PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves);
 /* Sets the positions of the nodes that curves have. [in,out] X - [num_nodes][dim] */
 PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[]);
@@ -133,35 +139,40 @@ struct _n_MeshFile {
   GmshNames names; /* empty for other formats */
   MeshFile  next;
 };
-/* The mesh of a body's file as read now or for an earlier body. [in,out] files - list of what was read, NULL at first;
+/* The mesh of a body's file as read now or for an earlier body.
+   [in,out] files - list of what was read, NULL at first;
    [out] file - borrowed from the list; [out] sentence - [MESH_SENTENCE], "" unless the file cannot be used */
 PetscErrorCode MeshFileOpen(const SceneBody *body, PetscInt dim, MeshFile *files, MeshFile *file, char sentence[]);
-/* The cells of a body's file, or of one of its regions, refined as the body wants it. */
+/* The cells of a body's file, or of one of its regions, with the body's own refinements. */
 PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
                                   char sentence[]);
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
-/* The one DMPlex of all bodies. Collective. [in] lists - whole on the first rank and empty on others, or
-   parts; these know nothing of each other yet */
+/* The one DMPlex of all bodies. Collective.
+   [in] lists - complete on the first rank and empty on others, or parts that PlexJoin() joins later */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
 
-/* Whether each rank makes its part of the mesh: for boxes of many cells. [in] coarser - number of coarser levels */
+/* Whether each rank makes its part of the mesh: for boxes of many cells.
+   [in] coarser - number of coarser levels */
 PetscBool BoxPartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
-/* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist. [out] curves - none */
+/* The mesh of all boxes, made by parts. Collective. User errors: a side that does not exist.
+   [out] curves - none */
 PetscErrorCode BoxPartsCreate(Scene scene, PetscInt coarser, DM *dm, Curves *curves);
 
-/* Least number of cells of files that all ranks connect: a smaller mesh needs little memory on one rank. Least number that all ranks
-   partition as well: METIS takes some 200 bytes for each cell on the first rank. */
+/* Least number of cells of files that all ranks connect: a smaller mesh needs little memory on one rank.
+   Least number that all ranks partition as well: METIS takes some 200 bytes for each cell on the first
+   rank. */
 typedef struct {
   PetscInt parts, parallel;
 } FileLimits;
 
 extern const FileLimits FILE_LIMITS;
 
-/* Whether mesh files may be read and parted by all ranks. */
+/* Whether mesh files may be read and partitioned by all ranks. */
 PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
-/* The mesh of all files, made by parts. Collective. [in] refine - number of later refinements; [out] good - whether there is one:
-   not if files have few cells, errors, or a reason for a warning */
+/* The mesh of all files, made by parts. Collective.
+   [in] refine - number of later refinements; [out] good - false without a mesh: files have few cells, errors,
+   or a reason for a warning */
 PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good);
 
@@ -171,15 +182,16 @@ PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt r
 PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
 /* Whether order 2 has a node in the middle of an edge, a facet or a cell. */
 PetscErrorCode PointHasMiddle(DM dm, PetscInt point, PetscBool *has);
-/* The points with the middle nodes of an element of order 2: edges, quads of a hexahedron, the point itself. [in] vertices - in the
-   order of the element, which may differ from that of PointGetVertices(); [out] middles - [ELEMENT_MAX_NODES] */
+/* The points with the middle nodes of an element of order 2: edges, quads of a hexahedron, the point itself.
+   [in] vertices - in the order of the element, which may differ from that of PointGetVertices();
+   [out] middles - [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetMiddles(DM dm, PetscInt point, const PetscInt vertices[], PetscInt *num, PetscInt middles[]);
 /* The facet of a cell that has exactly these vertices, in any order. */
 PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscInt vertices[], PetscInt *facet);
 /* The local node on a point, -1 where there is none. */
 PetscInt PointGetNode(const Level *level, PetscInt point);
-/* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out. [out] nodes - local
-   [ELEMENT_MAX_NODES] */
+/* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out.
+   [out] nodes - local [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
 /* The point of the mesh of each local node. [out] point - [num_nodes], owned by the caller, PetscFree() */
 PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
@@ -197,7 +209,7 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 
 /* The highest order of any body. */
 PetscInt SceneMaxOrder(Scene scene);
-/* Tables of one DM as it has its cells, with nodes up to an order, without positions. Collective. */
+/* Tables of one DM in its order of cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
 /* Parts of LevelCreateTables(): cell_material and cell_body, from the label; */
 PetscErrorCode LevelSetCellMaterials(Level *level);
@@ -207,10 +219,11 @@ PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform tra
 PetscErrorCode LevelSetCells(Level *level);
 /* nodes: number, owner, body, local section of the DM, and cells by LevelSetCells(). Collective. */
 PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
-/* Moves nodes that are on the axis of an axisymmetric scene up to roundoff exactly there. User errors: a node with a negative
-   radius. Collective. */
+/* Moves nodes that are on the axis of an axisymmetric scene up to roundoff exactly there. User errors: a node
+   with a negative radius. Collective. */
 PetscErrorCode LevelSetAxis(Level *level);
-/* Sets the positions of nodes. User errors: a map that is not finite; a node with a negative radius. Collective.
+/* Sets the positions of nodes. User errors: a map that is not finite; a node with a negative radius.
+   Collective.
    [in] curves - optional, may be NULL */
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* Sets the positions before maps of a level that does not have them yet. */
@@ -220,55 +233,60 @@ Level LevelBeforeMap(const Level *level);
 /* Finds the smooth sides on the coarsest level, and moves its middle nodes to their curves. Collective. */
 PetscErrorCode LevelBeginArcs(Level *level);
 
-/* Smooth sides, and sides that must stay flat, of files of first order; facets are seen from outside. */
+/* Smooth sides, and sides that must stay flat, of files of first order; normals of facets are outward. */
 typedef struct {
   PetscBool any; /* the same on all ranks */
   Facets    round, flat;
 } ArcSides;
 
-/* The names of a body's sides that may be smooth, and of those with a fixed normal displacement, joined by '+'. [out] each owned by
-   the caller, PetscFree(); NULL if there are none */
+/* The names of a body's sides that may be smooth, and of those with a fixed normal displacement, joined by
+   '+'. [out] each owned by the caller, PetscFree(); NULL if there are none */
 PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat);
-/* Finds the bodies with smooth sides that are curved. Collective. [out] any - whether there are such bodies */
+/* Finds the bodies with smooth sides that are curved. Collective.
+   [out] any - whether there are such bodies */
 PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
 /* Whether facets of first order form a curved patch, on any rank. Collective. */
 PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
 /* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
 PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
 PetscErrorCode ArcSidesDestroy(ArcSides *sides);
-/* Moves vertices of a refined level to the curves over the edges of the coarse one, or the middle nodes of a level to the curves
+/* Moves vertices of a refined level to the curves over coarse edges, or middle nodes of a level to the curves
    over its own edges. Positions are those before maps, which both levels have. Collective. */
 PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
 PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
-/* The offset of an edge, from those by its facets. Two facets of one patch give the same offset: it is half of their sum. Two facets
-   of different patches give orthogonal offsets: it is their sum. Sides fixed along their normal stay flat. Returns whether the
-   offset is not zero.
-   [in] sums - of offsets [dim], of their squares, of normals along which there must be none [dim]; [out] offset - [dim] */
+/* The offset of an edge, from those by its facets. Two facets of one patch give the same offset: it is half
+   of their sum. Two facets of different patches give orthogonal offsets: it is their sum. Sides fixed along
+   their normal stay flat. Returns whether the offset is not zero.
+   [in] sums - of offsets [dim], of their squares, of normals along which there must be none [dim];
+   [out] offset - [dim] */
 PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
-/* Allocates facets; collects all facets of first order, seen from outside for any sense of their cells. */
+/* Allocates facets; collects all facets of first order, with outward normals for any orientation of their
+   cells. */
 PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
 void           FacetsTurnOut(const Level *level, Facets *facets);
 
-/* The tables and positions of a DM that is parted, cells not turned. Collective. */
+/* The tables and positions of a partitioned DM, cells not reversed. Collective. */
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);
-/* The same for a refined level that has its prolongation. Collective. [in] sides - smooth sides of bodies of order 1 */
+/* The same for a refined level that has its prolongation. Collective.
+   [in] sides - smooth sides of bodies of order 1 */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
-/* Orients all cells anticlockwise, or solids so that facets are anticlockwise from outside. User errors: a degenerate or tangled
-   cell, a map that folds a body. Collective.
+/* Orients all cells anticlockwise, or solids so that facets are anticlockwise from outside. User errors: a
+   degenerate or tangled cell, a map that folds a body. Collective.
    [out] sound - false in place of a user error, the same on all ranks; optional, may be NULL */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
-/* Reverses the sense of a cell whose nodes these are: its mirror image in the plane xi_0 = xi_1. */
+/* Reverses the orientation of a cell with these nodes: its mirror image in the plane xi_0 = xi_1. */
 void CellReverse(ElementType type, PetscInt nodes[]);
-/* Splits every cell: tables, prolongation and positions, cells not turned. Collective. [in] sides - of bodies
-   of order 1 that are taken for smooth */
+/* Splits every cell: tables, prolongation and positions, cells not reversed. Collective.
+   [in] sides - smooth ones of bodies of order 1 */
 PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
-/* fine->prolongation from where each fine node comes from. Collective. [in] transform - a DMPlexTransform
+/* fine->prolongation, by the origin of each fine node. Collective. [in] transform - a DMPlexTransform
    from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
 
-/* Curves of files of second order under bodies of order 1: mesh->shape, NULL where there are none. Create makes them from the
-   coarsest level. Refine refines them, and moves the nodes of the finest level of the mesh to them. Collective. */
+/* Curves of files of second order under bodies of order 1: mesh->shape, NULL where there are none. Create
+   makes them from the coarsest level. Refine refines them, and moves the nodes of the finest level of the
+   mesh to them. Collective. */
 PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves);
 PetscErrorCode MeshShapeRefine(Mesh mesh);
 PetscErrorCode MeshShapeDestroy(Mesh mesh);
@@ -277,9 +295,9 @@ PetscErrorCode MeshShapeDestroy(Mesh mesh);
 enum { PARTITION_MAX_WEIGHTS = 2 };
 typedef struct {
   PetscInt   num, num_parts; /* 1, unless enough facets may touch */
-  PetscReal  bricks;         /* which a cell stands for, in the mean */
-  PetscInt  *load;           /* what every cell has, nodes in twelfths [num_cells][num] */
-  PetscReal *target;         /* which part of all each part is to have [num_parts][num] */
+  PetscReal  bricks;         /* mean number of bricks of a cell */
+  PetscInt  *load;           /* of every cell, nodes in twelfths [num_cells][num] */
+  PetscReal *target;         /* share of each part in the sum [num_parts][num] */
 } PartitionWeights;
 
 /* Weighted edges of the graph of cells, each once: first those across facets. */
@@ -288,18 +306,21 @@ typedef struct {
   PetscInt       *end;     /* [max][2] */
   PetscInt       *weight;  /* [max] */
   PetscInt       *contact; /* facets that may touch, by cell, or NULL; the caller's */
-  const PetscInt *bricks;  /* which each cell stands for, NULL: one; the caller's */
+  const PetscInt *bricks;  /* of each cell, NULL: one; the caller's */
 } CellGraph;
 
 /* Appends an edge. */
 PetscErrorCode CellGraphAddEdge(CellGraph *graph, PetscInt a, PetscInt b, PetscInt weight);
-/* The weight of an edge across a facet. [in] distance - of the middles of its cells; most - the largest one to any neighbour of both */
+/* The weight of an edge across a facet.
+   [in] distance - of the middles of its cells; most - the largest one to any neighbour of both */
 PetscInt CellGraphWeight(PetscReal distance, PetscReal most);
-/* Appends edges between cells whose facets may touch. [in] level - its dim and coords; reach - negative: a facet's own size */
+/* Appends edges between cells whose facets may touch.
+   [in] level - its dim and coords; reach - negative: a facet's own size */
 PetscErrorCode CellGraphAddContact(const Level *level, const Facets *nonmortar, const Facets *mortar, PetscReal reach,
                                    PetscInt weight, CellGraph *graph);
-/* Partitions the graph by METIS. Not collective. [in] level - its dim, num_cells, cell_type and cell_body; [in] refine - number of
-   later refinements; [out] part - [level->num_cells] */
+/* Partitions the graph by METIS. Not collective.
+   [in] level - its dim, num_cells, cell_type and cell_body; [in] refine - number of later refinements;
+   [out] part - [level->num_cells] */
 PetscErrorCode CellGraphCut(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
                             PetscInt num_parts, PetscInt part[]);
 PetscErrorCode CellGraphDestroy(CellGraph *graph);
@@ -307,9 +328,8 @@ PetscErrorCode CellGraphDestroy(CellGraph *graph);
 /* The same for all. */
 PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const CellGraph *graph, PetscInt num_parts,
                                       PartitionWeights *shares);
-/* Less where there are more nodes between. [in] refine - how often the mesh will be; part - a partition much
-   like the one to come
-   [num_cells] */
+/* Reduces the targets of parts with many nodes between parts.
+   [in] refine - number of later refinements; part - a partition similar to the final one [num_cells] */
 PetscErrorCode PartitionWeightsCorrect(Scene scene, const Level *level, PetscInt refine, const CellGraph *graph,
                                        const PetscInt part[], PartitionWeights *shares);
 PetscErrorCode PartitionWeightsDestroy(PartitionWeights *shares);
@@ -317,35 +337,42 @@ enum {
   CONTACT_WEIGHT = 5
 }; /* of an edge across contact, against 1 across a facet: coupling of D and M and of the condensed rows */
 
-/* The rank of each cell of the mesh, which is whole on the first rank; other ranks have no cells. Not collective.
-   [in] refine - number of later refinements; [in] contact_weight - of an edge across contact, relative to one across a facet; 0
-   for bodies that do not touch; [in] bricks - of each cell, NULL for one; [out] part - [level->num_cells] */
+/* The rank of each cell of a mesh that is complete on the first rank; other ranks have no cells.
+   Not collective.
+   [in] refine - number of later refinements;
+   [in] contact_weight - of an edge across contact, relative to one across a facet; 0 for bodies that do not
+   touch; [in] bricks - of each cell, NULL for one; [out] part - [level->num_cells] */
 PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, PetscInt contact_weight,
                                 const PetscInt bricks[], PetscInt num_parts, PetscInt part[]);
-/* The same for a DM that is whole on the first rank, by its vertices. Collective. [out] part - owned by the caller, PetscFree() */
+/* The same for a DM that is complete on the first rank, by its vertices. Collective.
+   [out] part - owned by the caller, PetscFree() */
 PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscInt bricks[], PetscInt *num_cells,
                                PetscInt **part);
-/* Distributes the mesh over the ranks; the DM and its curves are replaced. Collective. [in] refine - number of later refinements;
-   [out] origin - the point of the whole DM of each point of this rank, owned by the caller, PetscFree(); optional, may be NULL */
+/* Distributes the mesh over the ranks; the DM and its curves are replaced. Collective.
+   [in] refine - number of later refinements;
+   [out] origin - the point of the original DM of each point of this rank, owned by the caller, PetscFree();
+   optional, may be NULL */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin);
 
-/* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2 p + 1. */
+/* Pairs of bodies with the side that each prefers to be nonmortar, its end 2 p, and the other one, its end 2
+   p + 1. */
 typedef struct {
   PetscInt   num;
-  PetscBool *fixed; /* the user said so [num] */
+  PetscBool *fixed; /* given by the user [num] */
   PetscInt  *order; /* pairs, fixed ones first, then the ones with the strongest reasons [num] */
   PetscBool *touch; /* whether two ends have a node in common [2 num][2 num] */
 } MortarChoice;
 
-/* Exchanges the sides of pairs that are not fixed, the last ones of the order first, so that only fixed pairs form cycles. Not
-   collective. [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long search
-   has found none */
+/* Exchanges the sides of pairs that are not fixed, the last ones of the order first, so that only fixed pairs
+   form cycles. Not collective.
+   [out] turned - [num], all false unless found; [out] found - false where there is no such choice, or a long
+   search has found none */
 PetscErrorCode MortarChoiceOrient(const MortarChoice *graph, PetscBool turned[], PetscBool *found);
 /* Whether pairs form a cycle. Not collective. [in] turned - [num] */
 PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool turned[], PetscBool *cycle);
 
-/* Chooses the nonmortar side of pairs that leave it open; logs unfavourable given ones. User errors: a pair whose sides share
-   facets; two pairs of the same facets. Collective. */
+/* Chooses the nonmortar side of pairs that leave it open; logs unfavourable given ones. User errors: a pair
+   whose sides share facets; two pairs of the same facets. Collective. */
 PetscErrorCode MortarChoiceMake(Mesh mesh);
 
 #endif

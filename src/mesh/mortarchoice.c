@@ -1,13 +1,14 @@
 /* mortarchoice.c -- the choice of the nonmortar side of each pair.
 
-   It is the side of the softer body, else that of the finer mesh, else the smaller side (THEORY.md, section 7). A stiff nonmortar
-   side would stiffen a soft mortar side in the condensed matrix. The choice is made on the coarsest level: sides with a common node
-   there have one on all levels.
+   It is the side of the softer body, else that of the finer mesh, else the smaller side (THEORY.md, section
+   7). A stiff nonmortar side would stiffen a soft mortar side in the condensed matrix. The choice is made on
+   the coarsest level: sides with a common node there have one on all levels.
 
-   The choices of all pairs together form no cycle, if that is possible. Pair p depends on pair q if the mortar side of p touches the
-   nonmortar side of q: then multipliers of p may depend on nodes whose displacements q determines. Pairs are decided in sequence,
-   those with the strongest reasons first. Each gets its preferred choice, unless that closes a cycle with earlier decisions. If
-   neither choice is possible, the last free decision is taken back. The result depends on this order alone. */
+   The choices of all pairs together form no cycle, if that is possible. Pair p depends on pair q if the
+   mortar side of p touches the nonmortar side of q. Then multipliers of p may depend on displacements that q
+   determines. Pairs are decided in sequence, those with the strongest reasons first. Each gets its preferred
+   choice, unless that closes a cycle with earlier decisions. If neither choice is possible, the last free
+   decision is taken back. The result depends on this order alone. */
 #include "mesh/meshimpl.h"
 #include "mesh/sidemeasure.h"
 #include "base/compat.h"
@@ -16,8 +17,8 @@
 
 /* Largest number of decisions: for each pair, and at least. */
 enum { TRIES_PER_PAIR = 20, TRIES = 2000 };
-static const PetscReal StiffnessRatio = 3; /* of the contact moduli; below it the mesh decides */
-static const PetscReal SameSize = 1e-6;    /* relative; sizes this near are equal, so that round-off decides nothing */
+static const PetscReal STIFFNESS_RATIO = 3; /* of the contact moduli; below it the mesh decides */
+static const PetscReal SAME_SIZE = 1e-6;    /* relative; sizes this near are equal, so that roundoff does not decide */
 
 /* Reasons for a choice, weak to strong. */
 typedef enum { REASON_NONE, REASON_SIZE, REASON_FACETS, REASON_MODULUS } Reason;
@@ -28,7 +29,8 @@ typedef struct {
   PetscReal strength; /* the larger measure over the smaller one, in quarters of a power of two */
 } Preference;
 
-/* The strength of a ratio in whole steps, whose limits are no usual ratios: so roundoff does not order pairs that are alike. */
+/* The strength of a ratio in whole steps. Limits of steps are no common ratios, so that roundoff does not
+   order similar pairs. */
 static PetscReal RatioGetStrength_Private(PetscReal a, PetscReal b)
 {
   return PetscFloorReal(4 * PetscLog2Real(a > b ? a / b : b / a) + 0.37);
@@ -39,13 +41,13 @@ static Preference RolesPrefer_Private(const SideMeasure *nonmortar, const SideMe
   Preference prefer = {.reason = REASON_NONE};
   PetscReal  s = nonmortar->modulus, m = mortar->modulus;
 
-  if (s > StiffnessRatio * m || m > StiffnessRatio * s) {
+  if (s > STIFFNESS_RATIO * m || m > STIFFNESS_RATIO * s) {
     prefer.reason = REASON_MODULUS;
-  } else if (PetscAbsReal(nonmortar->facet_size - mortar->facet_size) > SameSize * mortar->facet_size) {
+  } else if (PetscAbsReal(nonmortar->facet_size - mortar->facet_size) > SAME_SIZE * mortar->facet_size) {
     prefer.reason = REASON_FACETS;
     s             = nonmortar->facet_size;
     m             = mortar->facet_size;
-  } else if (PetscAbsReal(nonmortar->size - mortar->size) > SameSize * mortar->size) {
+  } else if (PetscAbsReal(nonmortar->size - mortar->size) > SAME_SIZE * mortar->size) {
     prefer.reason = REASON_SIZE;
     s             = nonmortar->size;
     m             = mortar->size;
@@ -74,11 +76,11 @@ static PetscErrorCode PairPreferRoles_Private(Scene scene, Level *level, ScenePa
   PetscCall(SideMeasureCompute(scene, level, &pair->nonmortar, &nonmortar));
   PetscCall(SideMeasureCompute(scene, level, &pair->mortar, &mortar));
   if (!pair->roles_open) {
-    if (nonmortar.modulus > StiffnessRatio * mortar.modulus) {
+    if (nonmortar.modulus > STIFFNESS_RATIO * mortar.modulus) {
       PetscCall(PetscInfo(level->dm,
                           "Pair %s: the nonmortar body is stiffer than the mortar body (contact moduli %g > %g * %g): "
                           "the solver is faster with swapped sides\n",
-                          pair->name, (double)nonmortar.modulus, (double)StiffnessRatio, (double)mortar.modulus));
+                          pair->name, (double)nonmortar.modulus, (double)STIFFNESS_RATIO, (double)mortar.modulus));
     }
     PetscFunctionReturn(PETSC_SUCCESS);
   }
@@ -127,7 +129,8 @@ static PetscErrorCode SidesShare_Private(Scene scene, Level *level, const SceneS
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A side may have several partners, each in a pair of its own, but not the same partner twice, and not itself. */
+/* A side may have several partners, each in a pair of its own, but not the same partner twice, and not
+   itself. */
 static PetscErrorCode PairCheckRoles_Private(Scene scene, Level *level, PetscInt p)
 {
   const ScenePair *pair = &scene->pairs[p];
@@ -178,8 +181,8 @@ static void MortarChoiceSort_Private(const Preference prefer[], MortarChoice *gr
   }
 }
 
-/* The side of a pair's end: even ends are nonmortar ones. [in] pairs - indices into the scene's, of every pair of the
-   graph */
+/* The side of a pair's end: even ends are nonmortar ones.
+   [in] pairs - indices into the scene's, of every pair of the graph */
 static const SceneSide *EndGetSide_Private(Scene scene, const PetscInt pairs[], PetscInt end)
 {
   const ScenePair *pair = &scene->pairs[pairs[end / 2]];
@@ -200,7 +203,8 @@ static void MortarChoiceTouchBodies_Private(Scene scene, const PetscInt pairs[],
   }
 }
 
-/* Nodes of a side that this rank owns, ascending; facets of other ranks may be the ones that have them. Collective.
+/* Nodes of a side that this rank owns, ascending; facets of other ranks may be the ones that have them.
+   Collective.
    [in,out] marks - 0, one value for each node; [out] nodes - owned by the caller */
 static PetscErrorCode SideGetNodes_Private(Scene scene, Level *level, const SceneSide *side, Vec marks, PetscInt *num,
                                            PetscInt **nodes)
@@ -359,8 +363,9 @@ PetscErrorCode MortarChoiceHasCycle(const MortarChoice *graph, const PetscBool t
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Considers bodies first: most scenes have no cycle of bodies. If nodes give no choice, or too many, the order of bodies is used. If
-   there is none either, preferences are kept; VICreate() raises a user error if they form a cycle. Collective.
+/* Considers bodies first: most scenes have no cycle of bodies. If nodes give no choice, or too many, the
+   order of bodies is used. If there is none either, preferences are kept; VICreate() raises a user error if
+   they form a cycle. Collective.
    [out] turned - [graph->num] */
 static PetscErrorCode MortarChoiceSolve_Private(Scene scene, Level *level, const PetscInt pairs[], MortarChoice *graph,
                                                 PetscBool turned[])

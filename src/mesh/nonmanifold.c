@@ -1,12 +1,13 @@
-/* nonmanifold.c -- vertices that alone connect parts of a body, that is, cells that are not joined facet by facet.
+/* nonmanifold.c -- vertices that alone connect parts of a body, that is, cells that are not joined facet by
+   facet.
 
-   Parts turn about a single vertex, or in space about an edge, with no resistance, while components.h counts
-   them as one. Meshes of parts that touch at a corner are made so by accident; as supports may hold them all,
-   the user is told, and no more. */
+   Parts rotate about a single vertex, or in space about an edge, without resistance, while components.h
+   counts them as one. Such meshes are mostly accidents. Since supports may hold all parts, this is only a
+   warning. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 
-/* What a vertex may be instead of one of a block. */
+/* States of a vertex that is not in one block alone. */
 enum { NOWHERE = -1, HINGE = -2 };
 
 /* Cells that are joined facet by facet have the same block; -1 for cells that are not of the body. [out]
@@ -32,7 +33,7 @@ static PetscErrorCode NonManifoldCountBlocks_Private(const Extract *x, PetscInt 
     }
     block[PetscMax(root[0], root[1])] = PetscMin(root[0], root[1]);
   }
-  for (PetscInt c = 0; c < x->level.num_cells; c++) // a root comes before its cells
+  for (PetscInt c = 0; c < x->level.num_cells; c++) // the root of a set is before its cells
     if (block[c] >= 0) block[c] = block[block[c]];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -40,7 +41,7 @@ static PetscErrorCode NonManifoldCountBlocks_Private(const Extract *x, PetscInt 
 PetscErrorCode NonManifoldFind(const Extract *x, BodyList *list)
 {
   const Level *level = &x->level;
-  PetscInt    *block, *of_node; // the block that a vertex was first met in
+  PetscInt    *block, *of_node; // the first block of each vertex
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(level->num_cells, &block, level->num_nodes, &of_node));

@@ -2,18 +2,18 @@
 
    METIS minimizes the weight of cut edges in the graph of cells. Cells of two bodies share no facet. So a
    plain partition of two equal bodies gives one body to each of two ranks: all contact is remote. Cells whose
-   facets may touch are therefore joined by extra, heavier edges. These alone would give all contact to one
-   rank, if that has room for it: contact is work, and is shared out as the cells are [1]. Edges across which
-   cells are short are heavier too: there K couples strongly, and smoothers solve along lines that had better
-   not end between ranks.
+   facets may touch are therefore joined by additional, heavier edges. These alone could give all contact to
+   one rank. Contact is work, and is a second load that is balanced like the cells [1]. Edges across which
+   cells are short are heavier, too: there K couples strongly, and the lines of smoothers should not be cut.
 
-   Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning, 1998. */
+   Reference: [1] G. Karypis, V. Kumar, Multilevel algorithms for multi-constraint graph partitioning,
+   1998. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 #include <petscsf.h>
 
 enum {
-  MIN_CELLS_A_PART = 4 /* with fewer METIS is not asked */
+  MIN_CELLS_A_PART = 4 /* with fewer METIS is not called */
 };
 
 static PetscReal CellsGetDistance_Private(const Level *level, const PetscInt cells[2])
@@ -34,8 +34,8 @@ static PetscReal CellsGetDistance_Private(const Level *level, const PetscInt cel
   return PetscSqrtReal(square);
 }
 
-/* Cells on both sides of a facet. How far their middles are apart, beside how far cells around them are,
-   tells where they are short. */
+/* Adds an edge for each facet between two cells. Cells are short across it if their middles are nearer than
+   those of other neighbours. */
 static PetscErrorCode NeighboursAdd_Private(const Level *level, CellGraph *graph)
 {
   PetscInt   begin, end;
@@ -102,7 +102,7 @@ PetscErrorCode PartitionCompute(Scene scene, Level *level, PetscInt refine, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The partition as PETSc wants it: the cells of rank 0, of rank 1, ... */
+/* The partition for PETSc: the cells of rank 0, of rank 1, ... */
 static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt part[], PetscMPIInt size,
                                              PetscPartitioner partitioner)
 {
@@ -119,8 +119,8 @@ static PetscErrorCode PartitionerSet_Private(PetscInt num_cells, const PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The point of the whole DM that each point of this rank was. [in] sf - what DMPlexDistribute() gave, NULL if
-   nothing moved */
+/* The point of the original DM of each point of this rank.
+   [in] sf - of DMPlexDistribute(), NULL if nothing moved */
 static PetscErrorCode OriginCreate_Private(DM dm, PetscSF sf, PetscInt **origin)
 {
   const PetscSFNode *remote;
@@ -146,7 +146,7 @@ PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscI
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(scene->comm, &size));
-  PetscCall(DMClone(dm, &clone)); // the tables hang a section on their DM that must not travel
+  PetscCall(DMClone(dm, &clone)); // tables set a section on their DM, which must not be distributed
   PetscCall(LevelCreateTables(scene, clone, 1, &level));
   PetscCall(LevelSetCoords(&level, NULL));
   PetscCall(DMDestroy(&clone));
@@ -157,9 +157,9 @@ PetscErrorCode PartitionCreate(Scene scene, DM dm, PetscInt refine, const PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The coarsest mesh is parted: all descendants of a cell stay with it, and METIS sees a small graph. Vertices
-   are all it needs, so that meshes of every order are parted alike; cells are judged later, on every number
-   of ranks. */
+/* The coarsest mesh is partitioned: descendants of a cell stay on its rank, and the graph is small. It
+   depends on vertices alone, so that meshes of all orders have one partition. Cells are checked later, on any
+   number of ranks. */
 PetscErrorCode PartitionDistribute(Scene scene, PetscInt refine, DM *dm, Curves *curves, PetscInt **origin)
 {
   PetscPartitioner partitioner;

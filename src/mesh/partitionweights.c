@@ -1,27 +1,25 @@
-/* partitionweights.c -- weights of a partition: each rank gets about as many unknowns and as much contact as
-   others. METIS and PETSc partition by given weights; the weights themselves are those of this mesh and these
-   pairs.
+/* partitionweights.c -- weights of a partition: each rank gets about equal numbers of unknowns and of facets
+   in contact. METIS and PETSc partition by given weights; these are computed from mesh and pairs.
 
    Unknowns belong to nodes, and nodes between the parts of two ranks go to one of them. The parts themselves
    are made of cells of the coarsest mesh, so a rank with nodes between parts gets fewer cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-enum { MIN_FACETS_A_PART = 3 }; /* that may touch, for parts that have equally many of them */
+enum { MIN_FACETS_A_PART = 3 }; /* that may touch: with fewer, contact is not balanced */
 
-/* This part of the work goes by nodes, as solving does, the rest by cells, as mesh and assembly do. */
+/* This part of the work is proportional to nodes (the solver), the rest to cells (mesh, assembly). */
 static const PetscReal BY_NODES = 2.0 / 3;
-/* How much fewer cells a part may get for the nodes around it, by what it would have: parts that are all
-   surface gain nothing. */
+/* Largest reduction of a part for the nodes around it, relative to its share: parts without an interior gain
+   nothing. */
 static const PetscReal MOST = 0.5;
 
-/* Nodes that a cell and a facet of first order have for themselves in a regular mesh, in twelfths: triangles
-   cost half of what quadrilaterals do. */
-static const PetscInt Nodes[ELEMENT_COUNT] = {
+/* Nodes per cell and per facet of first order in a regular mesh, in twelfths: a triangle has half of those of
+   a quadrilateral. */
+static const PetscInt NODES[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = 12, [ELEMENT_TRI3] = 6, [ELEMENT_QUAD4] = 12, [ELEMENT_TET4] = 2, [ELEMENT_HEX8] = 12};
 
-/* How many times more nodes than a cell of order 1 a cell of a body has along an edge, beside those of the
-   lowest order. */
+/* Ratio of the order of a body to the lowest order of all bodies: its factor of nodes along an edge. */
 static PetscInt PartitionWeightsOrderFactor_Private(Scene scene, PetscInt body)
 {
   PetscInt least = PETSC_MAX_INT;
@@ -47,16 +45,17 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Cel
   for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscInt *own = &shares->load[c * shares->num];
 
-    own[0] = Nodes[ElementLinear((ElementType)level->cell_type[c])] * (bricks ? bricks[c] : 1);
+    own[0] = NODES[ElementLinear((ElementType)level->cell_type[c])] * (bricks ? bricks[c] : 1);
     for (PetscInt d = 0; d < level->dim; d++) own[0] *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[c]);
     if (shares->num > 1) own[1] = contact[c];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nodes between cells of different parts, in the units of loads: on the finest level a facet has as many
-   fewer than a cell as that has cells along an edge. DMPlexDistribute() gives them to the highest rank. An
-   order that all bodies have does not count, so that all orders are parted alike. [out] nodes - [num_parts] */
+/* Nodes between cells of different parts, in the units of loads. On the finest level the ratio of nodes of a
+   cell and of a facet is the number of cells along an edge. DMPlexDistribute() gives these nodes to the
+   highest rank. A common order of all bodies does not count, so that all orders have one partition.
+   [out] nodes - [num_parts] */
 static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Level *level, PetscInt refine,
                                                            const CellGraph *graph, const PetscInt part[],
                                                            PetscReal bricks, PetscReal nodes[])
@@ -69,7 +68,7 @@ static PetscErrorCode PartitionWeightsCountBetween_Private(Scene scene, const Le
     PetscReal       own;
 
     if (part[cells[0]] == part[cells[1]]) continue;
-    own = Nodes[ElementFacetType(ElementLinear((ElementType)level->cell_type[cells[0]]))] / along;
+    own = NODES[ElementFacetType(ElementLinear((ElementType)level->cell_type[cells[0]]))] / along;
     for (PetscInt d = 1; d < level->dim; d++)
       own *= PartitionWeightsOrderFactor_Private(scene, level->cell_body[cells[0]]);
     nodes[PetscMax(part[cells[0]], part[cells[1]])] += own;

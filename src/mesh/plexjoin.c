@@ -1,7 +1,8 @@
-/* plexjoin.c -- parts of a mesh on several ranks become one DMPlex.
+/* plexjoin.c -- joins parts of a mesh on several ranks to one DMPlex.
 
-   Vertices, edges and facets on the boundary of a part are sent to the rank that answers for their lowest vertex. Of those with the same
-   vertices that of the highest rank is the owner. (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of solids.) */
+   Vertices, edges and facets on the boundary of a part are sent to the rank that is responsible for their
+   lowest vertex. Of those with the same vertices that of the highest rank is the owner.
+   (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of solids.) */
 #include "mesh/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
@@ -26,10 +27,11 @@ static int PointCompareFn(const void *a, const void *b)
 
   for (PetscInt i = 0; i < CORNERS; i++)
     if (x->key[i] != y->key[i]) return x->key[i] < y->key[i] ? -1 : 1;
-  return x->rank < y->rank ? 1 : -1; // the owner is the first one
+  return x->rank < y->rank ? 1 : -1; // the first record is that of the owner
 }
 
-/* Marks what bounds facets of a single cell of this rank. [out] mark - [end of the chart], freed by the caller */
+/* Marks the facets with a single cell of this rank, and their edges and vertices.
+   [out] mark - [end of the chart], freed by the caller */
 static PetscErrorCode BoundaryMark_Private(DM dm, PetscBT *mark, PetscInt *num)
 {
   PetscInt begin, end, chart, size, *closure = NULL;
@@ -77,7 +79,7 @@ static PetscErrorCode PointRecordsCreate_Private(DM dm, const PetscInt ids[], Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* [in] record - those that came, sorted here [num] */
+/* [in,out] record - received ones, sorted here [num] */
 static void PointRecordsAnswer_Private(PetscInt num, PointRecord record[], PointAnswer answer[])
 {
   for (PetscInt i = 0; i < num; i++) record[i].at = i;
@@ -161,7 +163,8 @@ PetscErrorCode PlexOrientShared(DM dm, PetscInt dim)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets of cells that this rank's facets join. [out] label - of each cell, the lowest cell of its set [cells] */
+/* Sets of cells that this rank's facets join.
+   [out] label - of each cell, the lowest cell of its set [cells] */
 static PetscErrorCode CellsJoin_Private(DM dm, PetscInt label[])
 {
   PetscInt begin, end, first, last;
@@ -183,12 +186,13 @@ static PetscErrorCode CellsJoin_Private(DM dm, PetscInt label[])
     }
     label[PetscMax(root[0], root[1])] = PetscMin(root[0], root[1]);
   }
-  for (PetscInt c = 0; c < last - first; c++) label[c] = label[label[c]]; // a root comes before its cells
+  for (PetscInt c = 0; c < last - first; c++) label[c] = label[label[c]]; // the root of a set is before its cells
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets take the lowest number of those that they are joined with by facets of several ranks, until none changes. Collective. [in,out] number - of
-   each set at its lowest cell; [in] label - as CellsJoin_Private() has it */
+/* Each set takes the lowest number of all sets joined to it by facets of several ranks, until no number
+   changes. Collective.
+   [in,out] number - of each set at its lowest cell; [in] label - as CellsJoin_Private() has it */
 static PetscErrorCode SetsJoin_Private(DM dm, const PetscInt label[], PetscInt number[])
 {
   PetscInt  begin, end, first, chart, *lowest;

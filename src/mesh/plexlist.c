@@ -1,16 +1,17 @@
 /* plexlist.c -- lists of cells as one DMPlex.
 
-   Points: cells sorted by type (DMPlexTransform numbers what it makes by type and needs each type in one run), then the
-   vertices of list after list; facets of solids and edges come behind. */
+   Points: cells sorted by type, then the vertices of list after list, then facets of solids and edges.
+   DMPlexTransform needs each type of cells in one interval. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-/* Our vertices in PETSc's order, in which the first facet of a solid, its first vertices, is seen from outside. */
-static const PetscInt ConeOrder[ELEMENT_COUNT][8] = {[ELEMENT_LINE2] = {0, 1},
-                                                     [ELEMENT_TRI3]  = {0, 1, 2},
-                                                     [ELEMENT_QUAD4] = {0, 1, 2, 3},
-                                                     [ELEMENT_TET4]  = {0, 2, 1, 3},
-                                                     [ELEMENT_HEX8]  = {0, 3, 2, 1, 4, 5, 6, 7}};
+/* Vertices of element.h in PETSc's order, in which the first facet of a solid, its first vertices, has an
+   outward normal. */
+static const PetscInt CONE_ORDER[ELEMENT_COUNT][8] = {[ELEMENT_LINE2] = {0, 1},
+                                                      [ELEMENT_TRI3]  = {0, 1, 2},
+                                                      [ELEMENT_QUAD4] = {0, 1, 2, 3},
+                                                      [ELEMENT_TET4]  = {0, 2, 1, 3},
+                                                      [ELEMENT_HEX8]  = {0, 3, 2, 1, 4, 5, 6, 7}};
 
 /* All cells of a type in all bodies come before those of the next. */
 PetscErrorCode NumberingCreate(PetscInt num_bodies, const BodyList lists[], Numbering *numbering)
@@ -66,14 +67,14 @@ static PetscErrorCode ShapesOfCells_Private(const BodyList lists[], const Number
     const PetscInt    first = numbering->first_vertex[body[p]] - numbering->num_cells;
 
     for (PetscInt i = 0; i < ElementNumNodes(type); i++)
-      vertices[i] = first + list->cell_nodes[index[p] * ELEMENT_MAX_NODES + ConeOrder[type][i]];
+      vertices[i] = first + list->cell_nodes[index[p] * ELEMENT_MAX_NODES + CONE_ORDER[type][i]];
     ShapesAdd(cells, type, vertices);
   }
   PetscCall(PetscFree2(body, index));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Hands shapes to a DM. [in] first - point of the first one; below - of what bounds them */
+/* Sets the shapes of a DM. [in] first - point of the first one; below - first point of their facets */
 static PetscErrorCode PlexSetSizes_Private(DM dm, const Shapes *shapes, PetscInt first)
 {
   PetscFunctionBeginUser;
@@ -111,7 +112,7 @@ static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes sh
     end += shapes[d].num;
   }
   PetscCall(DMPlexSetChart(dm, 0, end));
-  PetscCall(DMCreateLabel(dm, "celltype")); // kept by hand: PETSc would look for the types in the cones
+  PetscCall(DMCreateLabel(dm, "celltype")); // set here: PETSc would derive the types from the cones
   for (PetscInt d = dim; d > 0; d--) PetscCall(PlexSetSizes_Private(dm, &shapes[d], first[d]));
   for (PetscInt v = 0; v < num_vertices; v++) PetscCall(DMPlexSetCellType(dm, first[0] + v, DM_POLYTOPE_POINT));
   PetscCall(DMSetUp(dm));
@@ -127,7 +128,7 @@ static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes sh
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Positions before any map: refinement halves edges there, and maps are applied to what comes out. */
+/* Positions before any map: refinement halves edges there, and maps are applied to the result. */
 static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Numbering *numbering, PetscInt dim, DM dm)
 {
   const PetscInt first = numbering->num_cells, end = first + numbering->num_vertices;

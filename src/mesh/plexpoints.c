@@ -1,14 +1,13 @@
 /* plexpoints.c -- vertices and nodes of a single point of the mesh: a vertex, an edge, a facet, a cell.
 
-   What is linear in space is known from the vertices, what a finite element knows from the nodes. Both are
-   listed in the order of element.h, beginning anywhere; that a cell is not inside out is seen only when there
-   are positions. */
+   Vertices are in the order of element.h from any first one, and so are nodes. Orientation of cells is known
+   only with positions. */
 #include "mesh/meshimpl.h"
 #include <petscsf.h>
 #include "base/compat.h"
 
-/* The cell of order 1 on a point that is not a vertex: the numbers of its facets and of the first facet's
-   tell all of them apart, without the labels of the DM. [out] cone - its facets */
+/* The cell of order 1 on a point that is not a vertex. It is identified by the numbers of its facets and of
+   the first facet's facets, without labels. [out] cone - its facets */
 static PetscErrorCode PointGetLinear_Private(DM dm, PetscInt point, ElementType *type, const PetscInt *cone[])
 {
   PetscInt size, facet_size;
@@ -41,7 +40,7 @@ static PetscErrorCode PolygonGetVertices_Private(DM dm, PetscInt point, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Which of num items this one is, num if it is none of them. */
+/* Index of an item, num if it is not among them. */
 static PetscInt PointFindEqual_Private(PetscInt num, const PetscInt items[], PetscInt item)
 {
   PetscInt i = 0;
@@ -51,8 +50,8 @@ static PetscInt PointFindEqual_Private(PetscInt num, const PetscInt items[], Pet
 }
 
 /* A solid's first facet in the DM is the first facet of element.h: its vertices run anticlockwise seen from
-   outside. From each of them one edge rises to a vertex that is not on the facet: to the apex, or to the
-   vertex as many places on in the cell's order as the facet has vertices. */
+   outside. From each of them one edge leads to a vertex that is not on the facet. This is the apex, or the
+   vertex with the number higher by the vertices of the facet. */
 static PetscErrorCode SolidGetVertices_Private(DM dm, PetscInt point, ElementType type, const PetscInt cone[],
                                                PetscInt vertices[])
 {
@@ -188,7 +187,7 @@ PetscInt PointGetNode(const Level *level, PetscInt point)
   return level->point_node[point - level->point_begin];
 }
 
-/* A level that has nodes on vertices alone does not look for others. */
+/* Levels with nodes on vertices alone skip the search for middles. */
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[])
 {
   const PetscInt *cone;

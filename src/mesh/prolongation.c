@@ -1,9 +1,9 @@
 /* prolongation.c -- prolongation between levels, and from order 1 to order 2.
 
-   The value of a fine node is that of the coarse shape functions, at its place in the point (edge or cell)
-   from which the transform made it. Fine vertices are middles of coarse points, other fine nodes are middles
-   of fine vertices. So every place is a mean of reference coordinates, for any dimension and order.
-   Polynomials of the lower of both orders are reproduced exactly on straight cells. */
+   The value of a fine node is that of the coarse shape functions, at its position in the coarse point (edge
+   or cell) of its origin. Fine vertices are middles of coarse points, other fine nodes are middles of fine
+   vertices. So every position is a mean of reference coordinates, for any dimension and order. Polynomials of
+   the lower of both orders are reproduced exactly on straight cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -23,7 +23,7 @@ static PetscErrorCode RowsCreate_Private(PetscInt num, Rows *rows)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Row i: the weights of some nodes of a level. Zeros are exact, since all places are dyadic numbers. */
+/* Row i: the weights of some nodes of a level. Zeros are exact, since all positions are dyadic numbers. */
 static PetscErrorCode RowsSet_Private(Rows *rows, PetscInt i, const Level *from, PetscInt num, const PetscInt nodes[],
                                       const PetscReal weights[])
 {
@@ -36,7 +36,7 @@ static PetscErrorCode RowsSet_Private(Rows *rows, PetscInt i, const Level *from,
     rows->values[end++] = weights[k];
   }
   PetscCall(PetscSortIntWithScalarArray(end - rows->start[i], &rows->columns[rows->start[i]],
-                                        &rows->values[rows->start[i]])); // Mats want columns to ascend
+                                        &rows->values[rows->start[i]])); // Mats need ascending columns
   rows->start[i + 1] = end;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

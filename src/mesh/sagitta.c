@@ -1,4 +1,4 @@
-/* sagitta.c -- what straight facets and parabolas leave of a curve. */
+/* sagitta.c -- distances of curves from straight facets and from parabolas. */
 #include "mesh/sagitta.h"
 #include "base/compat.h"
 #include "kernel/arc.h"
@@ -8,7 +8,7 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES, CURVE_DEGREE = 6 };
 
-/* Below this part of a facet's size a height is rounding. */
+/* Below this part of a facet's size a height is roundoff. */
 static const PetscReal NO_HEIGHT = 1e-12;
 /* A parabola through three points of a circle misses it by c x^2 (1 - x^2), |x| <= 1: the mean over the value
    at x = 1/2. */
@@ -47,7 +47,8 @@ static PetscErrorCode SagittasAppend_Private(const Level *level, Facets *more, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Values of a table at the nodes of a facet. [in] table - [num_nodes][dim]; [out] X - [nodes of the facet][dim] */
+/* Values of a table at the nodes of a facet.
+   [in] table - [num_nodes][dim]; [out] X - [nodes of the facet][dim] */
 static void FacetGather_Private(const Level *level, const Facets *facets, PetscInt f, const PetscReal table[],
                                 PetscReal X[])
 {
@@ -115,7 +116,8 @@ static PetscReal HeightOfArcs_Private(PetscInt dim, ElementType type, const Pets
   return height / area;
 }
 
-/* The same over one of second order: what the arcs over the halves of its edges leave of its own parabolas. */
+/* The same over one of second order: the distance of arcs over the halves of its edges from its own
+   parabolas. */
 static PetscReal HeightOfHalves_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
 {
   const PetscInt num = ElementNumNodes(ElementLinear(type));
@@ -164,8 +166,8 @@ static PetscErrorCode SagittasAddArcs_Private(Level *level, Facets *facets, Sagi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The facets of a body from a file whose curves the nodal normals tell. Collective. [out] any - whether the
-   body has such */
+/* The facets of a body from a file whose curves are those of nodal normals. Collective.
+   [out] any - whether the body has such facets */
 static PetscErrorCode BodyGetArcs_Private(Level *level, PetscInt body, Facets *facets, PetscBool *any)
 {
   const SceneBody *own = &level->scene->bodies[body];
@@ -203,7 +205,7 @@ PetscErrorCode SagittasCreate(Level *level, Sagittas *sagittas)
       PetscCall(SagittasAddMap_Private(level, b, level->unmapped, sagittas));
     }
   }
-  if (!kept) PetscCall(PetscFree(level->unmapped)); // finer levels take it for curves of a file
+  if (!kept) PetscCall(PetscFree(level->unmapped)); // on finer levels it would count as curves of a file
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

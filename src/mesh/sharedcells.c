@@ -1,6 +1,6 @@
-/* sharedcells.c -- bodies that are made of the same cells of one file: where -<body>_mesh_region was forgotten.
+/* sharedcells.c -- bodies of the same cells of one file: -<body>_mesh_region was forgotten.
 
-   Two bodies in the same place cannot be meant. Two copies of one part can: their maps differ. */
+   Two bodies in the same place are a mistake. Two copies of one part are not: their maps differ. */
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 #include <string.h>

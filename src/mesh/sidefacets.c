@@ -1,12 +1,11 @@
 /* sidefacets.c -- the facets of a body's side, from the labels that the merge has set.
 
-   Sides are looked up when they are asked for: they are few and short, and no list has to be kept in step with the
-   mesh. */
+   Sides are searched at each call: they are few and short, and no list has to follow the mesh. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-/* Points of the union of the labels "<body>:<part>", sorted, without duplicates, on this rank. [out] is - owned by
-   the caller */
+/* Points of the union of the labels "<body>:<part>", sorted, without duplicates, on this rank.
+   [out] is - owned by the caller */
 static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char side[], IS *is)
 {
   SideNames names = {0, NULL};
@@ -40,7 +39,7 @@ static PetscErrorCode SideGetPoints_Private(DM dm, const char body[], const char
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One facet with its nodes in the order of its cell, which is the right way round, so that its normal points
+/* One facet with its nodes in the order of its cell. The cell is not inside out, so that the normal is
    outward. */
 static PetscErrorCode FacetSet_Private(const Level *level, PetscInt point, PetscInt f, Facets *facets)
 {

@@ -1,25 +1,26 @@
 /* sideshape.c -- normals and curvatures of the smooth patches of a side.
 
-   What the facets around a node know of it is summed at the node, over all ranks. At a feature edge the sums
-   of one patch are wanted: the few facets there are told to all ranks. */
+   Contributions of the facets around a node are summed over all ranks. At a feature edge sums of one patch
+   are needed: the few facets there are sent to all ranks. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "mesh/sideshape.h"
 #include "kernel/vector.h"
 
-/* Facets of one patch meet at less than 45 degrees; half of that is what they leave their mean normal by at most. */
+/* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
+   that. */
 static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
 /* Share of a full turn that the facets of a patch fill around an inner node; an end of a line fills half, a
    corner less than a third. */
 static const PetscReal INNER_TURN = 0.8, END_TURN = 0.35, FULLER = 0.1;
-/* Differences of unit normals below this are rounding: flat. */
+/* Differences of unit normals below this are roundoff: flat. */
 static const PetscReal FLAT_SIDE = 1e-11;
 /* Neighbours lie on a line whose second moment across it is below this share. */
 static const PetscReal ON_A_LINE = 1e-4;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* A side at work. */
+/* Data of a side during the computation. */
 typedef struct {
   Level        *level;
   const Facets *facets;
@@ -109,7 +110,8 @@ static PetscErrorCode SideShapeSumAtNodes_Private(const Side *side, PetscInt bs,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether facets around the nodes of corners may meet at a feature edge. Collective. [out] suspect - 1 or 0 [num][F] */
+/* Whether facets around the nodes of corners may meet at a feature edge. Collective.
+   [out] suspect - 1 or 0 [num][F] */
 static PetscErrorCode SideShapeFindSuspects_Private(const Side *side, PetscReal suspect[])
 {
   const PetscInt dim = side->level->dim;
@@ -128,7 +130,7 @@ static PetscErrorCode SideShapeFindSuspects_Private(const Side *side, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* This rank's corner as others are told of it. */
+/* The record of a corner of this rank for other ranks. */
 static Corner SideShapeCornerOf_Private(const Side *side, PetscInt f, PetscInt i)
 {
   const PetscInt dim = side->level->dim, n = ElementNumNodes(ElementLinear(side->facets->type[f]));
@@ -179,7 +181,8 @@ static PetscErrorCode SideShapeGatherCorners_Private(const Side *side, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gives one corner the normal of its own patch, where there are others. [in] node - all corners of its node [num] */
+/* Sets the normal of one corner to that of its own patch, where there are several.
+   [in] node - all corners of its node [num] */
 static void SideShapeSetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscInt num, const Corner node[])
 {
   const PetscInt dim       = side->level->dim;
@@ -190,7 +193,7 @@ static void SideShapeSetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscI
   for (PetscInt c = 0; c < num; c++) {
     if (VectorDot(dim, own.unit, node[c].unit) < SMOOTH_SIDE) {
       edge = PETSC_TRUE;
-      ridge -= VectorDot(dim, own.unit, node[c].outward); // the others fall away behind a convex edge
+      ridge -= VectorDot(dim, own.unit, node[c].outward); // negative products, at a convex edge
       continue;
     }
     share += node[c].share;
@@ -233,8 +236,8 @@ static PetscErrorCode SideShapeSplitPatches_Private(Side *side)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds what one neighbour in its facet says of a corner: moments dx dx', dn dx' / |dx|^2 in the tangent
-   plane. [in,out] sums - [2][dim][dim] */
+/* Adds the moments of one neighbour in its facet to a corner: dx dx', dn dx' / |dx|^2 in the tangent plane.
+   [in,out] sums - [2][dim][dim] */
 static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
   const PetscInt   dim = side->level->dim;
@@ -259,7 +262,8 @@ static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt
   }
 }
 
-/* Eigenvector of the larger eigenvalue of a symmetric matrix of the plane; its smaller eigenvalue over the larger. */
+/* Eigenvector of the larger eigenvalue of a symmetric matrix of the plane; its smaller eigenvalue over the
+   larger. */
 static PetscReal SideShapePrincipal_Private(const PetscReal A[4], PetscReal d[2])
 {
   const PetscReal mean = 0.5 * (A[0] + A[3]), half = 0.5 * (A[0] - A[3]), off = 0.5 * (A[1] + A[2]);
@@ -270,8 +274,8 @@ static PetscReal SideShapePrincipal_Private(const PetscReal A[4], PetscReal d[2]
   return mean + radius > 0 ? (mean - radius) / (mean + radius) : 0;
 }
 
-/* S with S dx = dn for all neighbours in the mean; along a line of them alone where there are no others.
-   Returns whether there are.
+/* S with S dx = dn for all neighbours, by least squares; along a line alone if all neighbours are on it.
+   Returns whether they are not.
    [in] sums - [2][dim][dim]; [out] S - [dim][dim] */
 static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[], const PetscReal sums[], PetscReal S[])
 {
@@ -346,9 +350,9 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The normal at corner i as its neighbour j has it: turned by the curvature, or else mirrored at the plane
-   between them. Both are exact on circles and spheres, and the first on cylinders. Returns whether it turns
-   at all. */
+/* The normal at corner i extrapolated from its neighbour j: rotated by the curvature, or else reflected in
+   the plane between them. Both are exact on circles and spheres, the first also on cylinders. Returns whether
+   it differs from that at j. */
 static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
                                              PetscReal n[])
 {
@@ -366,7 +370,8 @@ static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, Petsc
   return (PetscBool)(PetscMax(square, PetscSqr(along) * VectorDot(dim, dx, dx)) > FLAT_SIDE * FLAT_SIDE);
 }
 
-/* Whether two nodes of a facet lie on a line of its lattice: a mirror between others is not that of a cylinder. */
+/* Whether two nodes of a facet lie on a line of its lattice: a mirror between others is not that of a
+   cylinder. */
 static PetscBool SideShapeOnOneLine_Private(ElementType type, PetscInt i, PetscInt j)
 {
   const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j);
@@ -375,7 +380,7 @@ static PetscBool SideShapeOnOneLine_Private(ElementType type, PetscInt i, PetscI
   return (PetscBool)(ElementNumNodes(ElementLinear(type)) == 3 && a[0] + a[1] == b[0] + b[1]);
 }
 
-/* Normals at the ends of patches, where facets on one side alone would tilt them: from neighbours that have more
+/* Normals at the ends of patches, where facets are on one side only: extrapolated from neighbours with facets
    around them. Collective. [in] least, most - share of those ends; known - of curvatures [num][F] */
 static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
 {

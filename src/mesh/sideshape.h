@@ -18,7 +18,8 @@ typedef struct {
                            convex, -1 if not [..] */
 } SideShape;
 
-/* Computes normals and curvatures. Collective. [in] facets - of this rank; [out] shape - owned by the caller */
+/* Computes normals and curvatures. Collective.
+   [in] facets - of this rank; [out] shape - owned by the caller */
 PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape);
 PetscErrorCode SideShapeDestroy(SideShape *shape);
 

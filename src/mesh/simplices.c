@@ -1,14 +1,14 @@
 /* simplices.c -- quads and hexahedra as triangles and tetrahedra.
 
-   Faces of neighbouring hexahedra must be cut alike: each at the diagonal from its vertex of the lowest
-   number. The tetrahedra of a hexahedron have its own lowest vertex in common, and the triangles of the three
-   faces without it. */
+   Faces of neighbouring hexahedra must be cut equally: each at the diagonal from its vertex of the lowest
+   number. All tetrahedra of a hexahedron contain its lowest vertex; opposite to it are the triangles of the
+   three faces without this vertex. */
 #include "mesh/forest.h"
 #include "base/compat.h"
 
 enum { MAX_PARTS = 6 };
 
-static PetscReal Distance2_Private(const BodyList *list, PetscInt a, PetscInt b)
+static PetscReal NodesDistance2_Private(const BodyList *list, PetscInt a, PetscInt b)
 {
   PetscReal sum = 0;
 
@@ -17,15 +17,15 @@ static PetscReal Distance2_Private(const BodyList *list, PetscInt a, PetscInt b)
   return sum;
 }
 
-/* Two triangles at the shorter diagonal after the map, of two alike at that of the lowest vertex. [out] parts
-   - places of vertices in the cell */
+/* Two triangles at the shorter diagonal after the map; if both are equal, at that of the lowest vertex.
+   [out] parts - indices of vertices in the cell */
 static PetscInt QuadCut_Private(const BodyList *list, const PetscInt nodes[], PetscInt parts[][BISECT_MAX_VERTICES])
 {
-  static const PetscReal Alike  = 1e-10;
-  const PetscReal        first  = Distance2_Private(list, nodes[0], nodes[2]);
-  const PetscReal        second = Distance2_Private(list, nodes[1], nodes[3]);
+  static const PetscReal ALIKE  = 1e-10;
+  const PetscReal        first  = NodesDistance2_Private(list, nodes[0], nodes[2]);
+  const PetscReal        second = NodesDistance2_Private(list, nodes[1], nodes[3]);
   const PetscBool        lowest = (PetscBool)(PetscMin(nodes[0], nodes[2]) < PetscMin(nodes[1], nodes[3]));
-  const PetscInt         shift  = first < (1 - Alike) * second || (lowest && first < (1 + Alike) * second) ? 0 : 1;
+  const PetscInt         shift  = first < (1 - ALIKE) * second || (lowest && first < (1 + ALIKE) * second) ? 0 : 1;
 
   for (PetscInt i = 0; i < 3; i++) {
     parts[0][i] = (shift + i) % 4;
@@ -72,7 +72,7 @@ static PetscInt CellCut_Private(const BodyList *list, PetscInt cell, PetscInt pa
 
 /* The cell's node where a part has one: the middles of edges, diagonals of faces and of the cell are all
    nodes of order 2. */
-static PetscInt PartFindNode_Private(ElementType type, const PetscInt part[], ElementType simplex, PetscInt node)
+static PetscInt SimplexFindNode_Private(ElementType type, const PetscInt part[], ElementType simplex, PetscInt node)
 {
   const ElementType linear = ElementLinear(simplex);
   PetscReal         phi[ELEMENT_MAX_NODES], at[3] = {0, 0, 0};
@@ -91,7 +91,8 @@ static PetscInt PartFindNode_Private(ElementType type, const PetscInt part[], El
 }
 
 /* The facet of a part that lies on a facet of the cell, or -1. [in] face - the cell's vertices there [num] */
-static PetscInt PartFindFacet_Private(ElementType simplex, const PetscInt part[], PetscInt num, const PetscInt face[])
+static PetscInt SimplexFindFacet_Private(ElementType simplex, const PetscInt part[], PetscInt num,
+                                         const PetscInt face[])
 {
   const PetscInt size = ElementNumNodes(ElementFacetType(simplex));
 
@@ -108,7 +109,7 @@ static PetscInt PartFindFacet_Private(ElementType simplex, const PetscInt part[]
 }
 
 /* Parts of a cell behind those that are there. */
-static void ListAddParts_Private(const BodyList *old, PetscInt cell, BodyList *list)
+static void BodyListAddParts_Private(const BodyList *old, PetscInt cell, BodyList *list)
 {
   const ElementType type    = (ElementType)old->cell_type[cell];
   const ElementType simplex = ElementOfOrder(old->dim == 2 ? ELEMENT_TRI3 : ELEMENT_TET4, ElementOrder(type));
@@ -122,12 +123,12 @@ static void ListAddParts_Private(const BodyList *old, PetscInt cell, BodyList *l
     if (old->cell_material) list->cell_material[new] = old->cell_material[cell];
     for (PetscInt k = 0; k < ElementNumNodes(simplex); k++)
       list->cell_nodes[new *ELEMENT_MAX_NODES + k] =
-          old->cell_nodes[cell * ELEMENT_MAX_NODES + PartFindNode_Private(type, parts[p], simplex, k)];
+          old->cell_nodes[cell * ELEMENT_MAX_NODES + SimplexFindNode_Private(type, parts[p], simplex, k)];
   }
 }
 
 /* Facets of parts where the old list has one. [in] first - the first part of every cell */
-static void ListAddFacets_Private(const BodyList *old, const PetscInt first[], BodyList *list)
+static void BodyListAddPartFacets_Private(const BodyList *old, const PetscInt first[], BodyList *list)
 {
   for (PetscInt e = 0; e < old->num_facets; e++) {
     const PetscInt    cell   = old->facet_cell[e];
@@ -137,8 +138,8 @@ static void ListAddFacets_Private(const BodyList *old, const PetscInt first[], B
     const PetscInt    num = CellCut_Private(old, cell, parts);
 
     for (PetscInt p = 0; p < num; p++) {
-      const PetscInt f = PartFindFacet_Private(old->dim == 2 ? ELEMENT_TRI3 : ELEMENT_TET4, parts[p],
-                                               ElementNumNodes(ElementFacetType(linear)), face);
+      const PetscInt f = SimplexFindFacet_Private(old->dim == 2 ? ELEMENT_TRI3 : ELEMENT_TET4, parts[p],
+                                                  ElementNumNodes(ElementFacetType(linear)), face);
 
       if (f < 0) continue;
       list->facet_cell[list->num_facets]   = first[cell] + p;
@@ -156,7 +157,7 @@ PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(old.num_cells, &first));
-  PetscCall(PetscMalloc1(old.num_vertices * old.dim, &old.coords)); // diagonals are compared where the map takes them
+  PetscCall(PetscMalloc1(old.num_vertices * old.dim, &old.coords)); // diagonals are compared after the map
   PetscCall(BodyListMapVertices(list, body, old.coords));
   for (PetscInt c = 0; c < old.num_cells; c++) {
     PetscInt parts[MAX_PARTS][BISECT_MAX_VERTICES];
@@ -170,8 +171,8 @@ PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut
     list->num_vertices = old.num_vertices;
     list->num_cells    = 0;
     if (old.cell_material) PetscCall(PetscMalloc1(num, &list->cell_material));
-    for (PetscInt c = 0; c < old.num_cells; c++) ListAddParts_Private(&old, c, list);
-    ListAddFacets_Private(&old, first, list);
+    for (PetscInt c = 0; c < old.num_cells; c++) BodyListAddParts_Private(&old, c, list);
+    BodyListAddPartFacets_Private(&old, first, list);
     list->curved_file     = old.curved_file;
     list->straightened    = old.straightened;
     list->num_nonmanifold = old.num_nonmanifold;

@@ -1,8 +1,9 @@
 /* skeleton.c -- facets of cells, and edges of facets in space.
 
-   Shapes are taken from the dimension above: each one lists its facets. Common facets of two cells are found
-   among the few that begin at the same lowest vertex. DMPlexInterpolate() gives the same, and took most of
-   the time of a large mesh. How PETSc numbers the facets of one cell, and their vertices, is asked of PETSc. */
+   Each shape lists its facets, which are the shapes of the next lower dimension. Common facets of two cells
+   are found among the few with the same lowest vertex. DMPlexInterpolate() gives the same, and took most of
+   the time of a large mesh. PETSc's numbers of facets and vertices of a cell are taken from a mesh of one
+   cell. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -19,7 +20,7 @@ typedef struct {
   PetscInt vertex[MAX_FACETS][MAX_CORNERS];
 } Pattern;
 
-/* From a mesh of one cell, whose facets are all new. */
+/* Reads the pattern from a mesh of one cell. */
 static PetscErrorCode PatternGet_Private(ElementType type, Pattern *pattern)
 {
   const PetscInt num = ElementNumNodes(type), *facets;
@@ -77,8 +78,8 @@ void ShapesAdd(Shapes *shapes, ElementType type, const PetscInt vertices[])
   shapes->start[++shapes->num] = start + num;
 }
 
-/* Whether a shape has these vertices one after another, from any of them on and either way round. In a
-   tangled mesh two quads may have the same vertices and not be the same. */
+/* Whether a shape has these vertices in this cyclic order, or in the reverse. In a tangled mesh two different
+   quads may have the same vertices. */
 static PetscBool ShapeIs_Private(const Shapes *shapes, PetscInt shape, PetscInt num, const PetscInt vertices[])
 {
   const PetscInt *own = &shapes->vertex[shapes->start[shape]];
@@ -94,7 +95,8 @@ static PetscBool ShapeIs_Private(const Shapes *shapes, PetscInt shape, PetscInt 
   return PETSC_FALSE;
 }
 
-/* The shape with these vertices: a known one, or one that is added. Shapes with the same lowest vertex are a chain.
+/* The shape with these vertices, which is added if it is new. Shapes with the same lowest vertex form a
+   chain.
    [in,out] head - first shape at every vertex, -1 where there is none; next - in the chain of each shape */
 static PetscInt ShapesFind_Private(Shapes *shapes, ElementType type, const PetscInt vertices[], PetscInt head[],
                                    PetscInt next[])

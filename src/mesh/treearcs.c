@@ -1,8 +1,8 @@
 /* treearcs.c -- smooth sides of bodies that are bisected, on the curves of their vertices' normals (eq. 4.5).
 
-   The first list has its normals from its facets. Where an edge is halved, the middle of its arc is the new
-   vertex, and the normal of the arc there is its normal: on circles, spheres and cylinders both are exact,
-   however often edges are halved, and in whatever order. What is flat stays flat, exactly. */
+   Normals of the first list are those of its facets. Where an edge is halved, the new vertex is the middle of
+   its arc, with the normal of the arc. On circles, spheres and cylinders both are exact for any sequence of
+   bisections. Flat sides stay exactly flat. */
 #include "kernel/arc.h"
 #include "mesh/forest.h"
 #include "base/compat.h"
@@ -15,8 +15,8 @@ enum { F = ELEMENT_MAX_FACET_NODES };
 /* Marks facets of the first list that belong to some of its sides. [in] joined - names of sides, freed here;
    or NULL; [in,out] chosen - by the first entry [num_entries]; [out] any - whether there are such facets; or
    NULL */
-static PetscErrorCode ChooseFacets_Private(const Tree *tree, const SideNames *names, char *joined, PetscBool chosen[],
-                                           PetscBool *any)
+static PetscErrorCode TreeChooseFacets_Private(const Tree *tree, const SideNames *names, char *joined,
+                                               PetscBool chosen[], PetscBool *any)
 {
   SideNames wanted = {0, NULL};
 
@@ -41,7 +41,8 @@ static PetscErrorCode ChooseFacets_Private(const Tree *tree, const SideNames *na
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The first list as a level of its own, on this rank, before any map. [out] dm - to be destroyed with the level */
+/* The first list as a level of its own, on this rank, before any map.
+   [out] dm - to be destroyed with the level */
 static PetscErrorCode TreeCreateLevel_Private(const Tree *tree, Scene alone, Level *level)
 {
   Numbering numbering;
@@ -266,8 +267,8 @@ PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names
   PetscCall(
       PetscCalloc3(tree->num_entries, &arcs->round, tree->num_entries, &arcs->flat, tree->num_entries, &arcs->plane));
   PetscCall(ArcSideNames(scene, body, &round, &flat));
-  PetscCall(ChooseFacets_Private(tree, names, round, arcs->round, &any));
-  PetscCall(ChooseFacets_Private(tree, names, flat, arcs->flat, NULL));
+  PetscCall(TreeChooseFacets_Private(tree, names, round, arcs->round, &any));
+  PetscCall(TreeChooseFacets_Private(tree, names, flat, arcs->flat, NULL));
   if (any) PetscCall(TreeArcsFind_Private(tree, &alone));
   if (!arcs->any) {
     PetscCall(TreeArcsDestroy(arcs));
@@ -288,7 +289,7 @@ PetscErrorCode TreeArcsDestroy(TreeArcs *arcs)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The normal in the middle of an edge is across it. */
+/* The normal in the middle of an edge, which is orthogonal to the edge. */
 static void SideCornerBetween_Private(PetscInt dim, const PetscReal x0[], const SideCorner *from, const PetscReal x1[],
                                       const SideCorner *to, SideCorner *middle)
 {
@@ -346,7 +347,7 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list)
   PetscFunctionBeginUser;
   if (!arcs->any) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscRealloc((size_t)(num + 1) * sizeof(PetscInt), &arcs->start));
-  arcs->num_vertices = tree->list.num_vertices; // those of a list that was tangled are forgotten
+  arcs->num_vertices = tree->list.num_vertices; // drops those of a list that was tangled
   for (PetscInt v = arcs->num_vertices; v < num; v++) {
     const PetscInt *ends = tree->mesh.ends[v];
     PetscReal       offset[3];

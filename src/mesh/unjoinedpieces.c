@@ -1,9 +1,9 @@
-/* unjoinedpieces.c -- pieces of one body that touch and are not joined.
+/* unjoinedpieces.c -- components of one body that touch and are not joined.
 
-   Volumes of a CAD file that are meshed without BooleanFragments have nodes of their own where they touch.
-   Nothing holds such pieces together, and nothing keeps them apart, though each may be supported: the answer
-   is that of another part. Pieces that a pair of the scene joins, by two sides of this body, are meant.
-   Bodies of one piece cost one pass over their cells. */
+   Volumes of a CAD file that are meshed without BooleanFragments have separate nodes where they touch. Such
+   components neither stick together nor keep apart, though each may be supported: the solution is that of
+   another part. Components that a pair of the scene joins, by two sides of this body, are intended. A body of
+   one component takes one pass over its cells. */
 #include "mesh/fileextract.h"
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
@@ -11,21 +11,21 @@
 #include "base/warning.h"
 #include <string.h>
 
-/* Nodes nearer than this part of the shortest edge around them are in one place: CAD programs agree to some
+/* Nodes nearer than this part of the shortest edge around them coincide: CAD programs are accurate to some
    millionths of a part. */
 static const PetscReal SAME_PLACE = 1e-3;
 /* Facets lie on each other if their normals are opposite to within 18 degrees, ... */
 static const PetscReal OPPOSITE = 0.95;
-/* ... and the middle of one is on the other but for the place of nodes, and for chords of one curve: where
-   the directions of two of length h differ by a, the middle of one is up to a h / 2 away from the other. */
+/* ... and the middle of one is on the other. Chords of one curve may differ. If two of length h have an angle
+   a, the middle of one is up to a h / 2 away from the other. */
 static const PetscReal CHORDS = 0.5;
-/* Boxes around facets are wider by this part of them: more than chords differ by at the largest angle. */
+/* Boxes around facets are wider by this part: more than the difference of chords at the largest angle. */
 static const PetscReal MARGIN = 0.2;
 
 /* The boundary of a body of several pieces. */
 typedef struct {
   PetscInt   dim, num;               /* facets */
-  PetscInt  *piece;                  /* a vertex that stands for the piece of each vertex [num_vertices] */
+  PetscInt  *piece;                  /* representative vertex of the component of each vertex [num_vertices] */
   PetscInt  *type;                   /* ElementType of order 1 [num] */
   PetscInt  *vertex;                 /* outward [num][ELEMENT_MAX_FACET_NODES] */
   PetscReal *shortest;               /* edge at each vertex of the boundary, 0 elsewhere [num_vertices] */
@@ -39,7 +39,8 @@ static PetscInt PiecesFind_Private(PetscInt parent[], PetscInt v)
   return v;
 }
 
-/* Vertices that cells connect. [out] piece - [num_vertices]; returns how many pieces there are */
+/* Components of vertices connected by cells.
+   [out] piece - [num_vertices]; returns the number of components */
 static PetscInt PiecesCount_Private(const BodyList *list, PetscInt piece[])
 {
   PetscInt num = 0;
@@ -147,7 +148,7 @@ static PetscErrorCode BoundaryMarkPaired_Private(Scene scene, PetscInt body, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Nodes that would be one with another, were the pieces joined. */
+/* Counts nodes that coincide with one of another component. */
 static PetscErrorCode BoundaryCountNodes_Private(const BodyList *list, const Boundary *b, UnjoinedPieces *found)
 {
   const PetscInt  dim = b->dim;
@@ -203,7 +204,7 @@ static PetscBool BoundaryLiesOn_Private(const BodyList *list, const Boundary *b,
                                  PetscMin(b->size[f], b->size[g]));
 }
 
-/* Facets that lie on another piece, whether their nodes match or not. */
+/* Counts facets that lie on another component, with matching nodes or not. */
 static PetscErrorCode BoundaryCountFacets_Private(const BodyList *list, const Boundary *b, UnjoinedPieces *found)
 {
   const PetscInt  dim = b->dim;
