@@ -12,8 +12,9 @@ void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt 
   }
 }
 
-/* Vertices stay. The point at the middle of an edge is 2 x - (mean of its ends). That at the middle of a facet is such that
-   the tensor product of three Bernstein polynomials in each direction is the facet: they are positive and sum to one. */
+/* Vertices stay. The point at the middle of an edge is 2 x - (mean of its ends). With that at the middle of a
+   facet, the facet is a tensor product of three Bernstein polynomials in each direction. They are positive
+   and sum to one. */
 void ContactFacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[])
 {
   const PetscInt num_nodes = ElementNumNodes(type), num_vertices = ElementNumNodes(ElementLinear(type));

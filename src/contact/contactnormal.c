@@ -1,8 +1,8 @@
 /* contactnormal.c -- the direction of contact at nodes of the nonmortar side.
 
-   To first order, the distance of a point from a surface changes along the normal of that surface, not along the normal of the
-   point's own body. Rows along the own normals of a round body would resist its motion along the partner. So the direction is
-   between the normals of both bodies, by their curvatures. */
+   To first order, the distance of a point from a surface changes along that surface's normal, not along that
+   of the point's own body. Rows along the own normals of a round body would resist its motion along the
+   partner. So the direction is between the normals of both bodies, by their curvatures. */
 #include "kernel/closest.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -12,8 +12,8 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Largest cosine between the normals of a node and of a facet that gives it a direction. It is larger than FACING, so that
-   directions do not change abruptly within a facet that is covered in part. */
+/* Largest cosine between the normals of a node and of a facet that gives it a direction. It is larger than
+   FACING, so that directions do not change abruptly within a facet that is covered in part. */
 static const PetscReal BESIDE = 0.5;
 /* Factor of the part of a squared distance that is beyond the ends of a facet. */
 static const PetscReal ASIDE = 100;
@@ -25,7 +25,8 @@ static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 /* Cubes around a point grow by this factor. */
 static const PetscReal CUBE_GROWTH = 4;
 
-/* Steps along interpolated normals, at most: each leaves a share of the distance over the radius, down to rounding of eta. */
+/* Largest number of steps along interpolated normals. Each reduces the error by the distance over the radius,
+   down to roundoff of eta. */
 enum { FOLLOW_STEPS = 40 };
 
 /* Squared distance of a point from a facet's box. */
@@ -59,8 +60,9 @@ static void ContactNormalMortarShape_Private(const MortarSurface *mortar, PetscI
   }
 }
 
-/* The point of a facet whose interpolated normal passes through x. On circles and balls the line from there to x passes through the
-   centre, for facets of any length. Returns the squared distance, enlarged where the facet ends before that point.
+/* The point of a facet whose interpolated normal passes through x. On circles and balls the line from there
+   to x passes through the centre, for facets of any length. Returns the squared distance, enlarged where the
+   facet ends before that point.
    [in,out] eta - begins at the nearest point */
 static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
                                                    const PetscReal x[], PetscReal eta[], SurfacePoint *at)
@@ -86,8 +88,8 @@ static PetscReal ContactNormalFollowNormal_Private(const MortarSurface *mortar, 
   return square + ASIDE * PetscMax(0, square - along * along);
 }
 
-/* Height of x above the smooth surface through a facet's nodes, along the normal at the foot point. The surface is above the facet by
-   1/2 sum phi_i d_i.S d_i, with d_i from the foot point to the nodes. */
+/* Height of x above the smooth surface through a facet's nodes, along the normal at the foot point. The
+   surface is above the facet by 1/2 sum phi_i d_i.S d_i, with d_i from the foot point to the nodes. */
 static PetscReal ContactNormalHeightOver_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f,
                                                  const PetscReal x[], const PetscReal eta[], const SurfacePoint *at)
 {
@@ -134,8 +136,8 @@ typedef struct {
   SurfacePoint at;
 } FacetBelow;
 
-/* Finds the nearest facet among those whose boxes meet a cube around the point. Facets that face the point are preferred. Not
-   collective. [in] n - normal at the point; [in] radius - of the cube */
+/* Finds the nearest facet among those whose boxes meet a cube around the point. Facets that face the point
+   are preferred. Not collective. [in] n - normal at the point; [in] radius - of the cube */
 static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partner, const PetscReal x[],
                                                       const PetscReal n[], PetscReal radius, FacetBelow *below)
 {
@@ -172,9 +174,10 @@ static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The shape of the mortar side next to a point, as that of the parallel surface through it: centres of circles and balls stay the
-   same. Cubes grow until they contain all nearer facets. Not collective. [in] n - normal at the point; [in] size - of a facet
-   there; [out] found - whether there are facets within reach */
+/* The shape of the mortar side next to a point, as that of the parallel surface through it: centres of
+   circles and balls stay the same. Cubes grow until they contain all nearer facets. Not collective.
+   [in] n - normal at the point; [in] size - of a facet there; [out] found - whether there are facets within
+   reach */
 static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
                                                       const PetscReal n[], PetscReal size, SurfacePoint *at,
                                                       PetscBool *found)
@@ -197,7 +200,8 @@ static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The direction at one node. [in] own - normal and curvature there; [in] size - of a facet there; [out] n - zero where there is no
+/* The direction at one node.
+   [in] own - normal and curvature there; [in] size - of a facet there; [out] n - zero where there is no
    partner [dim] */
 static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, const PetscReal x[],
                                                 const SurfacePoint *own, PetscReal size, PetscReal n[])
@@ -211,21 +215,22 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
     PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, size, &other, &found));
   } else {
     PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, size, &other, &found));
-    if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // which has one normal, for nodes beside it, too
+    if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // a plane has one normal, also for nodes beside it
       found = (PetscBool)(VectorDot(dim, other.normal, own->normal) < BESIDE);
   }
   if (!found) {
     PetscCall(PetscArrayzero(n, dim));
   } else if (partner->spec->obstacle.kind == OBSTACLE_PLANE) {
-    for (PetscInt k = 0; k < dim; k++) n[k] = -other.normal[k]; // exact however far the node moves
+    for (PetscInt k = 0; k < dim; k++) n[k] = -other.normal[k]; // exact for any motion of the node
   } else {
     DirectionOfContact(dim, own, &other, n);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Directions at the nodes of this rank's facets, each once. [in,out] na - own normals at local nodes, then directions, zero at nodes
-   of no facet here and at those without a partner */
+/* Directions at the nodes of this rank's facets, each once.
+   [in,out] na - own normals at local nodes, then directions, zero at nodes of no facet here and at those
+   without a partner */
 static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
                                                     const SideShape *shape, PetscScalar na[])
 {
@@ -259,9 +264,9 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets directions at nodes that face no partner within reach: the mean of those at the other nodes of their facets, so that directions
-   change little within a facet; without such nodes, their own normals. Collective. [in] own - ghosted; [in,out] normals -
-   directions, zero where there is none */
+/* Sets directions at nodes that face no partner within reach. They are means over the other nodes of their
+   facets, so that directions change little within a facet; without such nodes, their own normals. Collective.
+   [in] own - ghosted; [in,out] normals - directions, zero where there is none */
 static PetscErrorCode ContactNormalSetBeyond_Private(Level *level, const Facets *facets, Vec own, Vec normals)
 {
   const PetscInt     dim = level->dim;

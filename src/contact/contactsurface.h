@@ -7,48 +7,55 @@
 #include "mesh/mesh.h"
 #include "mesh/sideshape.h"
 
-/* Largest cosine between the normals of two facets that face each other, or between a facet's normal and a ray that meets it:
-   above 107 degrees. */
+/* Largest cosine between the normals of two facets that face each other, or between a facet's normal and a
+   ray that meets it: above 107 degrees. */
 static const PetscReal FACING = -0.3;
 
-/* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order depends on the
-   partition; queries return ascending indices. */
+/* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order
+   depends on the partition; queries return ascending indices. */
 typedef struct {
   PetscInt     num;
   ElementType *type;            /* [num] */
   PetscInt    *nodes;           /* global nodes [num][ELEMENT_MAX_FACET_NODES] */
   PetscInt    *cell, *material; /* cells that they belong to, counted over all ranks, and their materials [num] */
   PetscReal   *coords;          /* [num][ELEMENT_MAX_FACET_NODES][dim] */
-  /* Of the smooth shape at the nodes, zero without a shape [num][ELEMENT_MAX_FACET_NODES][dim], [..][dim][dim]. */
+  /* Of the smooth shape at the nodes, zero without a shape [num][ELEMENT_MAX_FACET_NODES][dim],
+     [..][dim][dim]. */
   PetscReal *normals, *curvature;
   PetscReal *bulges; /* of smooth sides, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
   BoxTree    tree;
 } MortarSurface;
 
-/* Sends to each rank the mortar facets within reach of its nonmortar facets: at least those whose boxes meet the box of a
-   nonmortar facet, widened by the reach on all sides. Collective. [in] shape - of the mortar facets; optional, may be NULL;
+/* Sends to each rank the mortar facets within reach of its nonmortar facets. These are at least the facets
+   whose boxes meet the box of a nonmortar facet, widened by the reach. Collective.
+   [in] shape - of the mortar facets; optional, may be NULL;
    [out] surface - owned by the caller, MortarSurfaceDestroy() */
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
                                    PetscReal reach, MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
-/* Makes the tree of its facets anew. Not collective. */
+/* Creates the tree of its facets again, after they have moved. Not collective. */
 PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface);
-/* Values at nodes of any rank. Collective. [in] u - dim per node; nodes - global [num]; [out] values - [num][dim] */
+/* Values at nodes of any rank. Collective.
+   [in] u - dim per node; nodes - global [num]; [out] values - [num][dim] */
 PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const PetscInt nodes[], PetscReal values[]);
-/* The mortar facets that rays from a nonmortar facet may meet within the reach, in front or behind, and few others: so all
-   queries of a side take n log n operations for any reach. The rays go along the normals between those at the nodes. Not
-   collective. [in] reach - at most that of the surface; [out] hits - ascending, borrowed until the next query [num_hits] */
+/* The mortar facets that rays from a nonmortar facet may meet within the reach, in front or behind, and few
+   others. So all queries of a side take n log n operations for any reach. The rays go along the normals
+   between those at the nodes. Not collective.
+   [in] reach - at most that of the surface; [out] hits - ascending, borrowed until the next query
+   [num_hits] */
 PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, const ClipFacet *facet, PetscReal reach,
                                   PetscInt *num_hits, const PetscInt *hits[]);
 
 /* Coordinates of a facet's nodes, [num_nodes][dim]. Not collective. */
 void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);
-/* The Bezier points of a facet, whose convex hull contains it, curved or not; and a box that contains it. The same holds for
-   any field that is interpolated at its nodes. Not collective. [in] X - [num_nodes][dim]; [out] hull - [num_nodes][dim];
+/* The Bezier points of a facet, whose convex hull contains it, curved or not; and a box that contains it. The
+   same holds for any field that is interpolated at its nodes. Not collective.
+   [in] X - [num_nodes][dim]; [out] hull - [num_nodes][dim];
    [out] box - lower, upper corner [2][dim] */
 void ContactFacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
 void ContactFacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
-/* Largest distance between neighbouring vertices of a facet (not collective), or of all facets of a side (collective). */
+/* Largest distance between neighbouring vertices of a facet (not collective), or of all facets of a side
+   (collective). */
 PetscReal      ContactFacetSize(PetscInt dim, ElementType type, const PetscReal X[]);
 PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, PetscReal *size);
 

@@ -1,7 +1,8 @@
 /* deformedgap.c -- a pair in the deformed configuration.
 
-   The pair is searched and integrated with displaced nodes. Displacements are linear on facets of first order. So the curves
-   over them (eq. 4.5) keep their bulges, and curvatures stay the same; computed anew, both would be those of the polygon. */
+   The pair is searched and integrated with displaced nodes. Displacements are linear on facets of first
+   order. So the curves over them (eq. 4.5) keep their bulges and curvatures; computed anew, both would be
+   those of the polygon. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
@@ -10,7 +11,8 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Rotates unit normals of a facet as the facet itself rotates. [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
+/* Rotates unit normals of a facet as the facet itself rotates.
+   [in] before, after - nodes [n][dim]; [in,out] normals - [n][dim] */
 static void DeformedGapTurnNormals_Private(PetscInt dim, PetscInt n, const PetscReal before[], const PetscReal after[],
                                            PetscReal normals[])
 {
@@ -110,7 +112,8 @@ PetscErrorCode DeformedLevelDestroy(Level *moved)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Multipliers stay at the pair's nodes, as far as these are covered. Collective. [in,out] status - [num_nodes] */
+/* Multipliers stay at the pair's nodes, as far as these are covered. Collective.
+   [in,out] status - [num_nodes] */
 static PetscErrorCode DeformedGapKeepNodes_Private(Pair pair, MultiplierStatus status[])
 {
   Level             *level = pair->level;
@@ -162,7 +165,9 @@ static PetscErrorCode DeformedGapTakeTurns_Private(const Pair pair, const PairAs
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gaps of the geometry, with a displacement or without. Collective. [in] u - or NULL; [out] gap - NAN where nothing faces the node any more [pair->num]; [out] turn - or NULL */
+/* Gaps of the geometry, with a displacement or without. Collective.
+   [in] u - or NULL; [out] gap - NAN where no partner faces the node any more [pair->num]; [out] turn - or
+   NULL */
 static PetscErrorCode DeformedGapOfGeometry_Private(Scene scene, const Support *support, Pair pair, Vec u,
                                                     PetscReal gap[], PetscReal turn[])
 {

@@ -1,8 +1,8 @@
 /* facetintegrals.c -- integrals of one nonmortar facet with all its partners.
 
-   All quadrature points of a facet, from all mortar facets that cover it, are collected first. The dual basis is built
-   from these very points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are summed over them:
-   biorthogonality, row sums and linear reproduction then hold to roundoff for any rule. */
+   All quadrature points of a facet, from all mortar facets that cover it, are collected first. The dual basis
+   is built from these points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are
+   summed over them. So biorthogonality, row sums and linear reproduction hold to roundoff for any rule. */
 #include "base/compat.h"
 #include "kernel/dual.h"
 #include "kernel/frame.h"
@@ -11,7 +11,7 @@
 #include "contact/overlap.h"
 #include "contact/smoothgap.h"
 
-/* Share of a facet that counts as nothing; one less it counts as all. */
+/* Covered shares of a facet below it count as zero, those above one less it as one. */
 static const PetscReal NOTHING = 1e-9;
 
 enum { START_COLUMNS = 16 }; /* first size of the list of mortar nodes */
@@ -183,7 +183,7 @@ static void FacetIntegralSumFull_Private(const FacetPartner *partner, const Clip
   }
 }
 
-/* Where the mortar facets of a list end within a facet that they cover in part. */
+/* The overlap boundary within a facet that is covered in part. */
 static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                     const OverlapPoints *list, FacetIntegral *integral)
 {

@@ -5,7 +5,8 @@
 #include "contact/pair.h"
 #include "contact/overlappoints.h"
 
-/* Contribution of one nonmortar facet, n of whose nodes carry multipliers, the first ones; arrays grow as needed. */
+/* Contribution of one nonmortar facet, n of whose nodes carry multipliers, the first ones; arrays grow as
+   needed. */
 typedef struct {
   PetscInt  n;                                /* all nodes of the facet, or its vertices */
   PetscReal size;                             /* of the facet, a length */
@@ -14,24 +15,25 @@ typedef struct {
   PetscReal covered[ELEMENT_MAX_FACET_NODES]; /* D_ii: int_cov phi~_i = int psi_i */
   PetscReal full[ELEMENT_MAX_FACET_NODES];    /* int phi~_i over the whole facet */
   PetscReal gap[ELEMENT_MAX_FACET_NODES];     /* int psi_i g */
-  PetscReal least_gap; /* gap at any point, less what curves change it by; infinite where there is none */
+  PetscReal least_gap; /* smallest gap at a point, less its change by curves; infinite where there is none */
   PetscReal D_other[ELEMENT_MAX_FACET_NODES][ELEMENT_MAX_FACET_NODES]; /* int psi_i phi_j of nodes j >= n, else zero */
   PetscInt  num_columns, max_columns;                                  /* mortar nodes met */
   PetscInt *columns;                                                   /* global nodes [num_columns] */
   PetscInt  num_boundary;
-  OverlapBoundary
-      *boundary;      /* where the cover ends, of a facet that is covered in part; without their nodes [num_boundary] */
-  PetscReal *M;       /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
-  PetscBool  turns;   /* whether the contact directions at its nodes differ (eq. 4.6) */
-  PetscBool  has_arm; /* whether a tie has an arm on this facet (leverarm.h) */
-  PetscReal *arm;     /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
+  OverlapBoundary *boundary; /* overlap boundary of a facet that is covered in part; without nodes [num_boundary] */
+  PetscReal       *M;        /* int psi_i phi^m_j(pi) [num_columns][ELEMENT_MAX_FACET_NODES] */
+  PetscBool        turns;    /* whether the contact directions at its nodes differ (eq. 4.6) */
+  PetscBool        has_arm;  /* whether a tie has an arm on this facet (leverarm.h) */
+  PetscReal       *arm;      /* of a tie: int psi_i block_j [num_columns][ELEMENT_MAX_FACET_NODES][dim][dim] */
 } FacetIntegral;
 
-/* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one (eq. 3.6). */
+/* The element whose shape functions multipliers of a facet are dual to: the facet's own, or the linear one
+   (eq. 3.6). */
 ElementType FacetIntegralCarrier(const ScenePair *spec, ElementType facet);
 
-/* Integrates one facet. covered = 0 where nothing is within reach. Not collective. [in] bulges - of the facet, or NULL; [in,out] list -
-   any; afterwards its points, with their gaps as they were integrated */
+/* Integrates one facet. covered = 0 where nothing is within reach. Not collective.
+   [in] bulges - of the facet, or NULL; [in,out] list - workspace; afterwards its points, with the gaps of the
+   integrals */
 PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
                                     OverlapPoints *list, FacetIntegral *integral);
 PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral);

@@ -1,15 +1,16 @@
 /* initialoverlap.c -- bodies that initially overlap by more than the search radius.
 
-   A ray that finds no partner within the reach gives a gap or nothing: a node deep inside the other body would have no
-   contact. So nodes are searched in the cells of the partner: those inside it and far from its side are too deep. */
+   A node deep inside the other body would have no contact: its ray finds no partner within the reach, or a
+   wrong gap. So nodes are searched in the cells of the partner: those inside it and far from its side are too
+   deep. */
 #include "kernel/boxtree.h"
 #include "base/compat.h"
 #include "mesh/insidebody.h"
 #include "contact/pairassembly.h"
 #include "contact/contactsurface.h"
 
-/* A node counts if points around it, at this share of the reach, are inside as well. This omits the small overlaps of polygons
-   and of interference fits. The reach is at least three facets. */
+/* A node counts if points around it, at this share of the reach, are inside as well. This omits the small
+   overlaps of polygons and of interference fits. The reach is at least three facets. */
 static const PetscReal OVERLAP_MARGIN = 1. / 3;
 
 enum { MAX_PROBES = 7 }; /* around a node: itself, and two points along each axis */
@@ -37,7 +38,8 @@ static PetscErrorCode InitialOverlapBodyBox_Private(const Level *level, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Copies x of each node of the facets that lies in a box, once on this rank. [out] x - [*num][dim], room for all */
+/* Copies x of each node of the facets that lies in a box, once on this rank.
+   [out] x - [*num][dim], room for all */
 static PetscErrorCode InitialOverlapCollectNodes_Private(const Level *level, const Facets *facets,
                                                          const PetscReal box[], PetscInt *num, PetscReal x[])
 {
@@ -75,7 +77,7 @@ static PetscErrorCode InitialOverlapFindSuspects_Private(const Level *level, con
   PetscCall(InitialOverlapCollectNodes_Private(level, facets, box, &num, mine));
   PetscCall(GatheredPointsCreate(level, num, mine, suspects));
   PetscCall(PetscFree(mine));
-  for (PetscInt i = 0; i < suspects->num; i++) suspects->flag[i] = PETSC_TRUE; // deep, as far as is known
+  for (PetscInt i = 0; i < suspects->num; i++) suspects->flag[i] = PETSC_TRUE; // deep, until shown otherwise
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -137,8 +139,8 @@ static PetscErrorCode InitialOverlapKeepInside_Private(const Level *level, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Finds the suspect farthest from the boxes around the facets of the side. Collective. [in,out] depth - largest distance so
-   far; [in,out] at - its position [dim] */
+/* Finds the suspect farthest from the boxes around the facets of the side. Collective.
+   [in,out] depth - largest distance so far; [in,out] at - its position [dim] */
 static PetscErrorCode InitialOverlapMeasureDepth_Private(const Level *level, const Facets *side,
                                                          const GatheredPoints *suspects, PetscReal *depth,
                                                          PetscReal at[])

@@ -1,16 +1,19 @@
-/* leverarm.c -- constraint rows across a gap: the rotation of the link of a tied point, and the line of action of a contact row. */
+/* leverarm.c -- constraint rows across a gap: the rotation of the link of a tied point, and the line of
+   action of a contact row. */
 #include "base/compat.h"
 #include "contact/leverarm.h"
 #include "kernel/vector.h"
 
-/* Sides closer than this share of a facet touch: the gap is rounding of coordinates. */
+/* Sides closer than this share of a facet touch: the gap is roundoff of coordinates. */
 static const PetscReal TOUCHING = 1e-10;
-/* A facet of a smaller measure than this share of its size squared, or in a plane of its size, has no tangent plane. */
+/* A facet of a smaller measure than this share of its size squared, or in a plane of its size, has no tangent
+   plane. */
 static const PetscReal DEGENERATE = 1e-12;
 /* Unit vectors that differ by less are equal. */
 static const PetscReal TURN_TOLERANCE = 1e-12;
 
-/* Gradients along a facet of its shape functions, g_i = sum_ab dphi_ia G^-1_ab t_b. Returns whether it has any. [out] g - [num_nodes][dim] */
+/* Gradients of shape functions along a facet, g_i = sum_ab dphi_ia G^-1_ab t_b. Returns PETSC_FALSE for a
+   facet without a tangent plane. [out] g - [num_nodes][dim] */
 static PetscBool LeverArmSurfaceGradients_Private(PetscInt dim, const ClipFacet *facet, const PetscReal dphi[],
                                                   PetscReal g[])
 {

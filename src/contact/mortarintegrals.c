@@ -1,6 +1,7 @@
 /* mortarintegrals.c -- D, M and G of a side as sums at nodes.
 
-   Facets are integrated by their rank and summed at the owners of their nodes, so that no result depends on the partition. */
+   Facets are integrated by their rank and summed at the owners of their nodes, so that no result depends on
+   the partition. */
 #include "base/compat.h"
 #include "contact/mortarintegrals.h"
 
@@ -76,7 +77,8 @@ static PetscErrorCode MortarIntegralsAddArm_Private(const Level *level, const Fa
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Collects the overlap boundary, and marks the nodes of facets that are covered in part or completely. Collective. */
+/* Collects the overlap boundary, and marks the nodes of facets that are covered in part or completely.
+   Collective. */
 static PetscErrorCode MortarIntegralsGatherBoundary_Private(const Facets *facets, const FacetIntegral integrals[],
                                                             MortarIntegrals *sums)
 {
@@ -136,7 +138,7 @@ static PetscErrorCode MortarIntegralsSetOverlap_Private(const Facets *facets, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sums what this rank's facets contribute; ghosts are not yet shared. */
+/* Sums the contributions of this rank's facets; ghosts are not yet shared. */
 static PetscErrorCode MortarIntegralsSumFacets_Private(Level *level, const Facets *facets,
                                                        const FacetIntegral integrals[], MortarIntegrals *sums)
 {
@@ -151,7 +153,7 @@ static PetscErrorCode MortarIntegralsSumFacets_Private(Level *level, const Facet
     PetscCall(VecGetArray(local[i], &a[i]));
   }
   for (PetscInt f = 0; f < facets->num; f++) {
-    PetscReal measure = 0; // single integrals of shape functions may be negative, their sum is what is covered
+    PetscReal measure = 0; // single integrals of shape functions may be negative, their sum is the covered measure
     for (PetscInt i = 0; i < integrals[f].n; i++) {
       const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
       a[0][node] += integrals[f].covered[i];
@@ -172,7 +174,7 @@ static PetscErrorCode MortarIntegralsSumFacets_Private(Level *level, const Facet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* M for the mortar nodes that the facets met, empty; NULL for an obstacle. Collective. */
+/* An empty M for the mortar nodes of all facets; NULL for an obstacle. Collective. */
 static PetscErrorCode MortarIntegralsCreateM_Private(Level *level, const FacetPartner *partner, const Facets *facets,
                                                      const FacetIntegral integrals[], Mat *M)
 {

@@ -5,26 +5,30 @@
 #include "contact/facetintegrals.h"
 #include "contact/pairpoints.h"
 
-/* Unit normals of the nonmortar side at its nodes, zero elsewhere (eq. 4.1). Collective. [in] shape - of the side;
+/* Unit normals of the nonmortar side at its nodes, zero elsewhere (eq. 4.1). Collective.
+   [in] shape - of the side;
    [out] normals - ghosted, dim per node, owned by the caller */
 PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const SideShape *shape, Vec *normals);
 
-/* Directions of contact at the nodes of the nonmortar side, from its own normals: between these and the partner's, by the curvatures
-   of both (eq. 4.3). A node that faces no partner within reach takes the direction of its facets' other nodes, or keeps its own
-   normal. Collective. [in] shape - of the side;
+/* Directions of contact at the nodes of the nonmortar side, between its own normals and the partner's, by the
+   curvatures of both (eq. 4.3). A node that faces no partner within reach takes the direction of its facets'
+   other nodes, or keeps its own normal. Collective. [in] shape - of the side;
    [in,out] normals - ghosted */
 PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
                                 Vec normals);
 
-/* Sums what ranks hold of normals at their nodes, and normalizes; zero stays zero. Collective. [in,out] normals - ghosted */
+/* Sums the contributions of all ranks to normals, and normalizes; zero stays zero. Collective.
+   [in,out] normals - ghosted */
 PetscErrorCode NodalNormalsShare(Level *level, Vec normals);
 
-/* Where facets meet at more than 45 degrees, takes the node's normal from those that see the other side. Collective.
-   [in] sees - [facets->num]; [in,out] normals - ghosted, as created; [out] changed - whether there is such a node */
+/* Where facets meet at more than 45 degrees, takes the node's normal from those that face the other side.
+   Collective.
+   [in] sees - whether each facet does [facets->num]; [in,out] normals - ghosted, as created; [out] changed -
+   whether there is such a node */
 PetscErrorCode NodalNormalsSharpen(Level *level, const Facets *facets, const PetscBool sees[], Vec normals,
                                    PetscBool *changed);
 
-/* MortarIntegrals of all facets, as sums at nodes. */
+/* Integrals of all facets, as sums at nodes. */
 typedef struct {
   Vec D, full, G;     /* ghosted, one per node */
   Vec overlap;        /* the largest -g at a point of the facets around a node: ghosted, one per node */
@@ -41,14 +45,16 @@ typedef struct {
   ElementType     *carrier;  /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
 } MortarIntegrals;
 
-/* D, G and M of a pair, before any row is redistributed. Collective. [in] normals - ghosted; [out] sums - owned by the caller,
-   but M, the arm, the ends and the points pass to the pair */
+/* D, G and M of a pair, before any row is redistributed. Collective.
+   [in] normals - ghosted; [out] sums - owned by the caller, except M, the arm, the overlap boundary and the
+   points, which the pair takes over */
 PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
                                      MortarIntegrals *sums);
 PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums);
 
-/* Creates an empty matrix of blocks of size bs, node x node, preallocated for the entries of each facet in the rows of its nodes.
-   Collective. [in] entries - number of blocks of each facet [facets->num]; [out] A - owned by the caller */
+/* Creates an empty matrix of blocks of size bs, node x node, preallocated for the entries of each facet in
+   the rows of its nodes. Collective.
+   [in] entries - number of blocks of each facet [facets->num]; [out] A - owned by the caller */
 PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
                                         Mat *A);
 

@@ -1,19 +1,19 @@
 /* mortarsurface.c -- candidates: the mortar facets near this rank's nonmortar facets, in a box tree.
 
-   No rank has a whole side. Each rank sends a few boxes around its nonmortar facets to all others; a mortar facet is sent to
-   the ranks whose boxes it meets. Facets of the own rank come first, then those of other ranks in the order of ranks: sums
-   over them depend on the partition in the last digits only.
+   No rank has a whole side. Each rank sends a few boxes around its nonmortar facets to all others; a mortar
+   facet is sent to the ranks whose boxes it meets. Facets of the own rank come first, then those of others in
+   the order of ranks. Sums over them depend on the partition in the last digits only.
 
-   A query is for the rays of one nonmortar facet. They fill a tube along the facet's normals that is as long as the reach and
-   hardly wider than the facet. A box around an inclined tube would contain more and more facets as these get smaller; slabs
-   along and across the tube do not. */
+   A query is for the rays of one nonmortar facet. They fill a tube along the facet's normals that is as long
+   as the reach and hardly wider than the facet. A box around an inclined tube would contain more and more
+   facets as these get smaller; slabs along and across the tube do not. */
 #include "base/compat.h"
 #include "contact/contactsurface.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 
-/* Boxes around the nonmortar facets of one rank. Most of one box around a curved side would be empty, and facets in its volume
-   would be sent without need. */
+/* Boxes around the nonmortar facets of one rank. Most of one box around a curved side would be empty, and
+   facets in its volume would be sent without need. */
 enum { COVER_BOXES = 16 };
 
 /* A query is wider by this share of the facet and the reach: roundoff must not omit facets at the ends. */
@@ -56,7 +56,7 @@ static PetscErrorCode MortarSurfaceCreateTree_Private(PetscInt dim, PetscInt num
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A few boxes that hold this rank's facets and all within reach of them. Not collective.
+/* A few boxes that contain this rank's facets and all points within reach of them. Not collective.
    [out] boxes - [COVER_BOXES][2][dim], the first *num of them are set */
 static PetscErrorCode MortarSurfaceCoverFacets_Private(const Level *level, const Facets *facets, PetscReal reach,
                                                        PetscInt *num, PetscReal boxes[])
@@ -120,7 +120,8 @@ static PetscErrorCode MortarSurfaceCoversDestroy_Private(Covers *covers)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The ranks that may meet a mortar facet, each once. Not collective. [out] ranks - ascending [*num], room for all */
+/* The ranks that may meet a mortar facet, each once. Not collective.
+   [out] ranks - ascending [*num], room for all */
 static PetscErrorCode MortarSurfaceFindRanks_Private(const Covers *covers, PetscInt dim, const FacetRecord *record,
                                                      PetscInt *num, PetscMPIInt ranks[])
 {
@@ -179,10 +180,10 @@ typedef struct {
   PetscInt     num_staying, num_arriving;
   PetscMPIInt  num_from;
   PetscMPIInt *from;  /* ranks that send, ascending [num_from] */
-  PetscInt    *count; /* what they send [num_from] */
+  PetscInt    *count; /* number of their facets [num_from] */
 } Traffic;
 
-/* Counts who sends what to whom. Collective. */
+/* Counts the facets between ranks. Collective. */
 static PetscErrorCode MortarSurfaceTrafficPlan_Private(const Side *side, const Covers *covers, Traffic *traffic)
 {
   const Level *level  = side->level;
@@ -361,7 +362,8 @@ static Cone MortarSurfaceFindNormalCone_Private(PetscInt dim, ElementType type, 
   return cone;
 }
 
-/* The largest component of unit vectors of the cone along a direction whose own component along the mean is given. */
+/* The largest component of unit vectors of the cone along a direction whose own component along the mean is
+   given. */
 static PetscReal MortarSurfaceConeComponent_Private(const Cone *cone, PetscReal along)
 {
   const PetscReal a = PetscAbsReal(along), c = cone->cosine;

@@ -1,7 +1,8 @@
 /* multiplierstatus.c -- the nodes of the nonmortar sides that carry a multiplier.
 
-   A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Nodes are removed if they are hardly
-   covered, so that their pressure would be inaccurate; if their normal direction is fixed; or if another pair constrains them. */
+   A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Nodes are removed if
+   they are hardly covered, so that their pressure would be inaccurate; if their normal direction is fixed; or
+   if another pair constrains them. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -11,26 +12,29 @@
 
 /* A normal whose free part is shorter than this is fixed: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
-/* Covered share of a node's support below which its pressure could not be recovered accurately, on linear and on quadratic
-   facets, whose share e covers e^2 / 2 of a far end or 3 e^2 of a middle node. The far end of a quadratic line is covered
-   negatively, 4 e^3 - 3 e^2 >= -1/4, where less than three quarters of the line are; the far corner of a facet in space by the
-   product of two such shares, which is positive again and up to 1/16. */
+/* Covered share of a node's support below which its pressure would be inaccurate. On linear facets the share
+   e of a facet covers e^2 / 2 of a far end, on quadratic ones 3 e^2 of a middle node. The share of the far
+   end of a quadratic line is negative, 4 e^3 - 3 e^2 >= -1/4, where less than three quarters of the line are
+   covered. That of the far corner of a facet in space is the product of two such shares, positive and up to
+   1/16. */
 static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC_LINE = 5e-2, SLIVER_QUADRATIC = 0.1;
 /* Covered share that is roundoff. */
 static const PetscReal NO_COVER = 1e-13;
-/* Integral of a shape function, relative to the facets around its node, that counts as zero. It is so at the axis of a quadratic
-   axisymmetric side, where int phi r is 0 on a straight facet, and of either sign on a curved one. Elsewhere it is at least 1/6
-   on even meshes. */
+/* Integral of a shape function, relative to the facets around its node, that counts as zero. At the axis of a
+   quadratic axisymmetric side int phi r is 0 on a straight facet, and of either sign on a curved one.
+   Elsewhere it is at least 1/6 on uniform meshes. */
 static const PetscReal WEIGHTLESS = 1e-2;
-/* A further constraint at a node needs a normal at least 20 degrees from those of earlier ones, or from their plane: its part
-   across them is at least this long. */
+/* A further constraint at a node needs a normal at least 20 degrees from those of earlier ones, or from their
+   plane. Its part across them has at least this length. */
 static const PetscReal NEW_DIRECTION = 0.34202014332566873;
-/* Two pairs cover the same part of the facets around a node if the sum of their covers exceeds the facets by this share. */
+/* Two pairs cover the same part of the facets around a node if the sum of their covers exceeds the facets by
+   this share. */
 static const PetscReal COVERED_TWICE = 1e-8;
 /* Gaps that differ by less than this share are the same, on all processes. */
 static const PetscReal AS_NEAR = 1e-9;
 
-/* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at all. */
+/* n := Pi n / |Pi n| with Pi the projection onto the free directions of a node. Returns whether n is free at
+   all. */
 static PetscBool MultiplierStatusProjectNormal_Private(const Support *support, PetscInt node, PetscReal n[])
 {
   const PetscInt dim = support->dim;
@@ -64,7 +68,7 @@ PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The share that a node of the assembly's nonmortar side needs. */
+/* The least covered share of a node with a multiplier. */
 static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const ScenePair *spec)
 {
   const PetscBool quadratic =
@@ -77,9 +81,9 @@ static PetscReal MultiplierStatusLeastShare_Private(const Level *level, const Sc
 /* Sums that decide the status of nodes, at local nodes. */
 enum { SUM_D, SUM_FULL, SUM_MEASURE, SUM_COVER, SUM_COUNT };
 
-/* The status of a node by coverage. If the integral of its shape function over whole facets is nearly zero, it has no covered
-   share and no pressure. Then the facets decide whether the node is covered, and its row gets a weight of roundoff for the
-   redistribution. [in,out] a - local forms of the sums */
+/* The status of a node by coverage. If the integral of its shape function over whole facets is nearly zero,
+   it has no covered share and no pressure. Then the facets decide whether the node is covered, and its row
+   gets a weight of roundoff for the redistribution. [in,out] a - local forms of the sums */
 static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[SUM_COUNT], PetscInt i, PetscReal least)
 {
   const PetscReal D = PetscRealPart(a[SUM_D][i]), full = PetscRealPart(a[SUM_FULL][i]),
@@ -131,12 +135,12 @@ static PetscBool MultiplierStatusTakesAll_Private(const ScenePair *spec)
   return (PetscBool)(spec->type == PAIR_TIED || ScenePairHasFriction(spec));
 }
 
-/* Whether earlier pairs constrain a node of the pair num: one of the two is tied or has friction, or its normal is nearly a
-   combination of theirs. [in] n - normals of the pairs at local nodes [num+1] */
+/* Whether earlier pairs constrain a node of the pair num. They do if one of the two is tied or has friction,
+   or if its normal is nearly a combination of theirs. [in] n - normals of the pairs at local nodes [num+1] */
 static PetscBool MultiplierStatusIsServed_Private(PetscInt dim, PetscInt num, const PairAssembly assemblies[],
                                                   PetscScalar *const n[], PetscInt node)
 {
-  PetscReal span[4][3]; // orthonormal; the last one is what is left of the present normal
+  PetscReal span[4][3]; // orthonormal; the last one is the rest of the present normal
   PetscInt  rank = 0;
 
   for (PetscInt q = 0; q <= num; q++) {
@@ -164,11 +168,11 @@ static PetscBool MultiplierStatusMayHide_Private(const ScenePair *a, const Scene
                      !strcmp(a->nonmortar.side, b->nonmortar.side));
 }
 
-/* Data of the nodes of a pair that pairs are compared by. */
+/* Data of the nodes of a pair for the comparison of pairs. */
 enum { SEEN_D, SEEN_G, SEEN_MEASURE, SEEN_COVER, SEEN_NORMALS, SEEN_COUNT };
 
-/* Whether the partner of b is farther from a node than that of a, along nearly the same normal, and both cover the same part of
-   its facets. [in] a, b - local forms */
+/* Whether the partner of b is farther from a node than that of a. Their normals are nearly the same, and both
+   cover the same part of its facets. [in] a, b - local forms */
 static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *const a[], PetscScalar *const b[],
                                                   PetscInt node)
 {
@@ -184,8 +188,9 @@ static PetscBool MultiplierStatusIsBehind_Private(PetscInt dim, PetscScalar *con
   return (PetscBool)(gap_b - gap_a > AS_NEAR * PetscMax(PetscAbsReal(gap_a), PetscAbsReal(gap_b)));
 }
 
-/* For two pairs on one side, whose partners change their order, as two balls on a plate: a node belongs to the nearer partner,
-   and is uncovered for the other one. With a redistributed row, its neighbours would overlap by the difference of both gaps. */
+/* For two pairs on one side whose partners change their order, as two balls on a plate. A node belongs to the
+   nearer partner, and is uncovered for the other one. A redistributed row would make its neighbours overlap
+   by the difference of both gaps. */
 static PetscErrorCode MultiplierStatusHideNodes_Private(const Level *level, PairAssembly *first, PairAssembly *second)
 {
   PairAssembly *assembly[2] = {first, second};

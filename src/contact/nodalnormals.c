@@ -1,7 +1,7 @@
 /* nodalnormals.c -- nodal normals of the nonmortar side.
 
-   Only facets of this contact side count, never other faces of the body. Where facets meet at a sharp edge, only those that face
-   the partner count: a mean with the other ones would incline the contact force. */
+   Only facets of this contact side count, never other faces of the body. Where facets meet at a sharp edge,
+   only those that face the partner count: a mean with the other ones would incline the contact force. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/mortarintegrals.h"
@@ -84,7 +84,7 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks nodes some facet of which deviates from their normal by more than a smooth side's would. Collective.
+/* Marks nodes with a facet that deviates from their normal by more than facets of a smooth side. Collective.
    [out] sharp - ghosted, one per node, 1 or 0 */
 static PetscErrorCode NodalNormalsFindSharp_Private(Level *level, const Facets *facets, Vec normals, Vec sharp)
 {

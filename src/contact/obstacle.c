@@ -1,7 +1,7 @@
 /* obstacle.c -- rigid obstacles as a gap along the contact normal, and their shape.
 
-   For each shape, a ray gives the signed t for which x + t n lies on the surface. The formulas hold in a plane and in space: a
-   circle is the ball of its plane. */
+   For each shape, a ray gives the signed t for which x + t n lies on the surface. The formulas hold in a
+   plane and in space: a circle is the ball of its plane. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/obstacle.h"
@@ -13,8 +13,9 @@ static const PetscReal GRAZING = 1e-10;
 /* Step of the differences of formulas, as a share of a facet. */
 static const PetscReal DIFFERENCE = 1e-3;
 
-/* The root of a t^2 + 2 b t + c = 0 that stays bounded as a -> 0, without cancellation. Where the ray misses the surface, the
-   surface is continued from its outermost points, so that the gap stays continuous and large. */
+/* The root of a t^2 + 2 b t + c = 0 that stays bounded as a -> 0, without cancellation. Where the ray misses
+   the surface, the surface is continued from its outermost points, so that the gap stays continuous and
+   large. */
 static PetscReal ObstacleNearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
@@ -22,8 +23,8 @@ static PetscReal ObstacleNearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
   return -c / (b > 0 ? b + root : b - root);
 }
 
-/* a t^2 + 2 b t + c = 0 for balls and cylinders: from outside (radius > 0) where the ray enters, from inside (radius < 0) where
-   it leaves. a > 0 */
+/* a t^2 + 2 b t + c = 0 for balls and cylinders: from outside (radius > 0) where the ray enters, from inside
+   (radius < 0) where it leaves. a > 0 */
 static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));
@@ -34,7 +35,8 @@ static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscRe
   return c > 0 ? PETSC_INFINITY : -(b + root) / a;
 }
 
-/* |d + t n| = |radius| with the parts of d = x - point and of n across the axis; for a ball, whose axis is zero, all of them. */
+/* |d + t n| = |radius| with the parts of d = x - point and of n across the axis; for a ball, whose axis is
+   zero, all of them. */
 static PetscReal ObstacleAxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[],
                                          const PetscReal n[])
 {
@@ -89,8 +91,8 @@ PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A level set with a gradient and second derivatives: n = grad / |grad|, S = P hess P / |grad|, P across n. Returns whether the gradient
-   is long enough. [in] least - what it must exceed */
+/* A level set with a gradient and second derivatives: n = grad / |grad|, S = P hess P / |grad|, P across n.
+   Returns whether the gradient is long enough. [in] least - what it must exceed */
 static PetscBool ObstacleLevelSetShape_Private(PetscInt dim, const PetscReal gradient[], const PetscReal hessian[],
                                                PetscReal least, SurfacePoint *at)
 {
@@ -109,7 +111,7 @@ static PetscBool ObstacleLevelSetShape_Private(PetscInt dim, const PetscReal gra
   return PETSC_TRUE;
 }
 
-/* |x - point| across the axis, from inside the other way round. */
+/* |x - point| across the axis; from inside with the opposite sign. */
 static PetscBool ObstacleRoundShape_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[],
                                             SurfacePoint *at)
 {

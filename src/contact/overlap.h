@@ -16,7 +16,7 @@ extern const Overlap OVERLAP_LINES, OVERLAP_POLYGONS;
 
 /* A facet of the mortar side. */
 ClipFacet OverlapPointsMortarFacet(const FacetPartner *partner, PetscInt f);
-/* Whether a gap is given that is no constant, or those of curves are measured. */
+/* Whether a given gap is not constant, or gaps of curves are measured. */
 PetscBool OverlapPointsGapVaries(const FacetPartner *partner);
 
 #endif

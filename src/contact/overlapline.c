@@ -4,7 +4,8 @@
 
 /* Ends of pieces closer than this share of the facet are one. */
 static const PetscReal SAME_END = 1e-10;
-/* Normals that differ by less are parallel; a facet is straight if its middle node deviates by less than this share. */
+/* Normals that differ by less are parallel; a facet is straight if its middle node deviates by less than this
+   share. */
 static const PetscReal TURN_TOLERANCE = 1e-12;
 
 /* Whether x(xi) is linear. */
@@ -30,8 +31,8 @@ static PetscBool OverlapLineTurns_Private(const ClipFacet *facet)
   return PETSC_FALSE;
 }
 
-/* Gauss points per piece: order + 1 are exact for the product of two shape functions where the facets are straight and
-   the gap is linear, and more are taken elsewhere. */
+/* Gauss points per piece. On straight facets with a linear gap order + 1 are exact for the product of two
+   shape functions; elsewhere more are taken. */
 static PetscInt OverlapLinePointsPerPiece_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                   const ClipFacet *mortar)
 {
@@ -49,8 +50,9 @@ static PetscInt OverlapLinePoints_Private(const FacetPartner *partner, const Cli
   return ClipLines(facet, mortar, OverlapLinePointsPerPiece_Private(partner, facet, mortar), points);
 }
 
-/* Points of the part [from, to] of a facet against one mortar facet, on the facet's own reference cell. The part is a
-   facet of the same type; its normals are those of the whole facet, not normalized, and send the same rays. */
+/* Points of the part [from, to] of a facet against one mortar facet, on the facet's own reference cell. The
+   part is a facet of the same type; its normals are those of the whole facet, not normalized, and send the
+   same rays. */
 static PetscInt OverlapLineClipPart_Private(const ClipFacet *facet, const PetscReal ends[], const ClipFacet *mortar,
                                             PetscInt num_gauss, ClipPoint points[])
 {
@@ -76,7 +78,7 @@ static PetscInt OverlapLineClipPart_Private(const ClipFacet *facet, const PetscR
   return num;
 }
 
-/* The part of the facet that the Gauss points of one piece stand for, from its first and last one. num > 1 */
+/* The part of the facet of one piece, from its first and last Gauss point. num > 1 */
 static void OverlapLinePieceEnds_Private(PetscInt num, const ClipPoint points[], PetscReal ends[])
 {
   PetscReal s[CLIP_MAX_GAUSS], w[CLIP_MAX_GAUSS], length;
@@ -94,7 +96,7 @@ typedef struct {
   PetscReal *ends;  /* on the facet's reference cell [num][2] */
 } PieceList;
 
-/* The pieces that a list's points were collected from. */
+/* The pieces of a list of points. */
 static PetscErrorCode OverlapLinePieceListCreate_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                          const OverlapPoints *list, PieceList *pieces)
 {

@@ -67,8 +67,8 @@ PetscInt OverlapPointsCurvedDegree(ElementType type)
   return 3 + 4 * ElementOrder(type);
 }
 
-/* A vector along the mean outward normal of the polygon of a facet's vertices: (dy,-dx) of a line, in space the cross product
-   of two edges of a triangle, of the diagonals of a quad. */
+/* A vector along the mean outward normal of the polygon of a facet's vertices: (dy,-dx) of a line, the cross
+   product of two edges of a triangle or of the diagonals of a quad. */
 static void OverlapPointsOutward_Private(PetscInt dim, const ClipFacet *facet, PetscReal nu[])
 {
   const PetscInt   num = ElementNumNodes(ElementLinear(facet->type));
@@ -87,7 +87,8 @@ static void OverlapPointsOutward_Private(PetscInt dim, const ClipFacet *facet, P
   for (PetscInt k = 0; k < 3; k++) nu[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/* Whether a mortar facet faces a nonmortar facet. [in] nu - outward normal of the nonmortar one, of any length */
+/* Whether a mortar facet faces a nonmortar facet.
+   [in] nu - outward normal of the nonmortar one, of any length */
 static PetscBool OverlapPointsFaceEachOther_Private(PetscInt dim, const PetscReal nu[], const ClipFacet *mortar)
 {
   PetscReal nu_m[3], dot = 0, square = 0, square_m = 0;
@@ -137,8 +138,8 @@ static PetscErrorCode OverlapPointsCollectMortar_Private(const FacetPartner *par
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Collects the points of a facet against an obstacle: the whole facet, if any part is within reach along the facet's own normal.
-   The normal of a node at a sharp edge might meet an obstacle behind the facet. */
+/* Collects the points of a facet against an obstacle: the whole facet, if any part is within reach along the
+   facet's own normal. The normal of a node at a sharp edge might meet an obstacle behind the facet. */
 static PetscErrorCode OverlapPointsCollectObstacle_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                            OverlapPoints *list)
 {

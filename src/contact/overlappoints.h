@@ -5,20 +5,20 @@
 #include "kernel/clip.h"
 #include "contact/contactsurface.h"
 
-/* What a facet is integrated against. */
+/* The partner of a facet. */
 typedef struct {
   Scene                scene;
   const ScenePair     *spec;
   const MortarSurface *mortar; /* NULL for an obstacle */
   PetscInt             dim;
   PetscReal            reach;
-  PetscBool            gap_only; /* whether D and G are wanted, and no M */
+  PetscBool            gap_only; /* whether only D and G are computed, no M */
   const PetscReal *
       bulges; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
 } FacetPartner;
 
-/* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then those of the next.
-   One list serves one facet after the other. */
+/* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then
+   those of the next. One list serves one facet after the other. */
 typedef struct {
   PetscInt   num, max;
   ClipPoint *point;
@@ -31,11 +31,12 @@ PetscErrorCode OverlapPointsCreate(PetscInt dim, OverlapPoints *list);
 PetscErrorCode OverlapPointsDestroy(OverlapPoints *list);
 PetscErrorCode OverlapPointsAdd(OverlapPoints *list, const ClipPoint *point, PetscInt facet);
 
-/* Collects the points over the covered part of a facet, each part of it once; none where nothing is within reach. Not
-   collective. */
+/* Collects the points over the covered part of a facet, each part of it once; none where nothing is within
+   reach. Not collective. */
 PetscErrorCode OverlapPointsCollect(const FacetPartner *partner, const ClipFacet *facet, OverlapPoints *list);
 
-/* The degree of quadrature for what is no polynomial on a facet: curved sides, turning normals, gaps given as expressions. */
+/* The degree of quadrature for integrands that are no polynomials: curved sides, varying normals, gaps given
+   as expressions. Not collective. */
 PetscInt OverlapPointsCurvedDegree(ElementType type);
 
 #endif

@@ -2,15 +2,15 @@
 #include "base/compat.h"
 #include "contact/overlap.h"
 
-/* Layers of the mortar side are farther apart than this share of the nonmortar facet. Gaps at points that two curved neighbours
-   both have at their common edge are closer. */
+/* Layers of the mortar side are farther apart than this share of the nonmortar facet. Gaps at points that two
+   curved neighbours both have at their common edge are closer. */
 static const PetscReal LAYER_DISTANCE = 1e-3;
 
-/* A facet is straight whose middle nodes are off by less than this share. */
+/* A facet is straight if its middle nodes deviate by less than this share. */
 static const PetscReal STRAIGHT_FACET = 1e-10;
 
-/* Degree on curved facets, which are cut into parts and where no rule is exact. The error for products of two shape functions is
-   less than that of the facet's shape. */
+/* Degree on curved facets, which are cut into parts; no rule is exact there. The error for products of two
+   shape functions is less than that of the facet's shape. */
 enum { CURVED_DEGREE = 5, GIVEN_GAP_DEGREE = 2 };
 
 /* Whether x(xi) is that of a facet of first order with the same vertices. */
@@ -33,8 +33,8 @@ static PetscBool OverlapPolygonIsStraight_Private(const ClipFacet *facet)
   return PETSC_TRUE;
 }
 
-/* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is linear; somewhat
-   more for gaps that are given. */
+/* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is
+   linear; somewhat more for gaps that are given. */
 static PetscInt OverlapPolygonPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
                                              const ClipFacet *mortar, ClipPoint points[])
 {
@@ -59,7 +59,7 @@ static PetscBool OverlapPolygonIsHidden_Private(const FacetPartner *partner, con
   return PETSC_FALSE;
 }
 
-/* Drops every point before which another mortar facet lies nearer. */
+/* Removes every point for which another mortar facet is nearer. */
 static PetscErrorCode OverlapPolygonKeepNearestPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                               OverlapPoints *list)
 {

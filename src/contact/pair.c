@@ -1,7 +1,7 @@
 /* pair.c -- contact pairs, from sides to multipliers.
 
-   All is computed once, in the undeformed configuration. All pairs are integrated before nodes with multipliers are chosen: a
-   node can be in several pairs, but each of its directions in only one. */
+   All is computed once, in the undeformed configuration. All pairs are integrated before nodes with
+   multipliers are chosen: a node can be in several pairs, but each of its directions in only one. */
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/pair.h"
@@ -9,10 +9,12 @@
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
 
-/* A removed node with less than this part of its facets covered lies outside its partner; at the partner's end it would be half. */
+/* A removed node with less than this part of its facets covered lies outside its partner; at the partner's
+   end it would be half. */
 static const PetscReal BEYOND = 0.45;
 
-/* Rows (n, t..): t is the fixed direction where there is one, so that fixed unknowns stay single. [out] Q - [dim][dim] */
+/* Rows (n, t..): t is the fixed direction where there is one, so that fixed unknowns stay single.
+   [out] Q - [dim][dim] */
 static void PairSetFrame_Private(const Support *support, PetscInt node, const PetscReal n[], PetscReal Q[])
 {
   const PetscInt   dim = support->dim;
@@ -108,7 +110,7 @@ static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *sup
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Integrates again where the first integration has shown which facets at sharp edges face the partner. */
+/* Integrates again if facets at sharp edges do not face the partner, as the first integration shows. */
 static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *support, const FacetPartner *partner,
                                                  PairAssembly *assembly)
 {
@@ -134,8 +136,8 @@ static PetscBool PairIsPolygonal_Private(const Level *level, const SceneSide *si
   return level->scene->bodies[side->body].polygonal;
 }
 
-/* Creates the mortar surface within reach. Its shape is computed if gaps need it, or directions at a curved nonmortar side: a flat
-   nonmortar side determines the directions alone. Collective. */
+/* Creates the mortar surface within reach. Its shape is computed for gaps, and for directions at a curved
+   nonmortar side; a flat nonmortar side alone determines the directions. Collective. */
 static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mortar, PairAssembly *assembly, Pair pair,
                                                 MortarSurface *surface)
 {

@@ -1,13 +1,15 @@
 /* pair.h -- D, M, weighted gap and normals of one contact pair on one level (eqs. 3.2-3.4).
 
-   D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of the nonmortar
-   side. Rows of removed nodes (fixed along the normal, or hardly covered) are redistributed to their kept neighbours
-   (eq. 5.1): this gives D few entries off its diagonal. Facets are integrated by their rank.
+   D_ab = int psi_a phi^s_b,  M_ab = int psi_a phi^m_b(pi(.)),  G_a = int psi_a g  over the covered part of
+   the nonmortar side. Rows of removed nodes (fixed along the normal, or hardly covered) are redistributed to
+   their kept neighbours (eq. 5.1): this gives D few entries off its diagonal. Facets are integrated by their
+   rank.
 
-   With multipliers at vertices of quadratic facets alone (MULTIPLIERS_VERTICES), psi is dual to the linear shape functions.
-   D is written for u~ of u = u~ + to_nodal u~ on the nonmortar side. A vertex keeps its displacement; the unknown at a middle
-   node is its displacement less the mean of the two ends (eq. 3.6). On tri6, psi is dual to phi~, and u~ is that of eq. 3.5,
-   with other unknowns at nodes with multipliers as well. M applies to u. */
+   With multipliers at vertices of quadratic facets alone (MULTIPLIERS_VERTICES), psi is dual to the linear
+   shape functions. D is written for u~ of u = u~ + to_nodal u~ on the nonmortar side. A vertex keeps its
+   displacement; the unknown at a middle node is its displacement less the mean of the two ends (eq. 3.6). On
+   tri6, psi is dual to phi~, and u~ is that of eq. 3.5, with other unknowns at nodes with multipliers as
+   well. M applies to u. */
 #ifndef MORTISE_PAIR_H
 #define MORTISE_PAIR_H
 
@@ -51,12 +53,14 @@ struct _n_Pair {
 };
 typedef struct _n_Pair *Pair;
 
-/* Searches and integrates all pairs of the scene, and decides which nodes have multipliers. A node has none where its normal
-   direction is fixed, or where an earlier pair constrains nearly the same direction; these rows are redistributed. User
-   errors: an initial overlap outside a given reach; a pair without a node because earlier pairs have all of them.
-   Collective. [out] pairs - [scene->num_pairs], each owned by the caller */
+/* Searches and integrates all pairs of the scene, and decides which nodes have multipliers. A node has none
+   where its normal direction is fixed, or where an earlier pair constrains nearly the same direction; these
+   rows are redistributed. User errors: an initial overlap outside a given reach; a pair without a node
+   because earlier pairs have all of them. Collective.
+   [out] pairs - [scene->num_pairs], each owned by the caller */
 PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pair pairs[]);
-/* Integrates gaps anew after a change of formulas or offsets, with the same reach. Collective. [in,out] pairs - their gaps;
+/* Integrates gaps anew after a change of formulas or offsets, with the same reach. Collective.
+   [in,out] pairs - their gaps;
    [out] same - false where other nodes would have multipliers: then pairs are unchanged */
 PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support, Pair pairs[], PetscBool *same);
 /* Collective. */

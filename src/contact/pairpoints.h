@@ -11,7 +11,7 @@ typedef struct {
   PetscReal xi[2];  /* on the nonmortar facet's reference cell */
   PetscReal eta[2]; /* on the mortar facet's reference cell */
   PetscReal weight; /* of integrals over the nonmortar side, with the ring of an axisymmetric scene */
-  PetscReal gap;    /* before any motion, with what is given or added; open > 0 */
+  PetscReal gap;    /* before any motion, with a given gap or offset; open > 0 */
 } PairPoint;
 
 struct _n_PairPoints {
@@ -31,15 +31,16 @@ typedef struct _n_PairPoints *PairPoints;
 PetscErrorCode PairPointsCreate(PairPoints *points);
 /* Appends the points of a facet. Not collective. */
 PetscErrorCode PairPointsAdd(PairPoints points, PetscInt facet, const OverlapPoints *list);
-/* Copies what points tell of mortar facets. Not collective. */
+/* Copies the data of the mortar facets of a surface. Not collective. [in] surface - of this rank */
 PetscErrorCode PairPointsSetMortar(PairPoints points, PetscInt dim, const MortarSurface *surface);
-/* Whether there are any or not. Collective. */
+/* NULL is accepted. Collective. */
 PetscErrorCode PairPointsDestroy(PairPoints *points);
 
 /* Values of the nodes of mortar facets. Collective. [in] v - bs per node, as of LevelCreateVec();
    [out] values - owned by the caller [num_mortar][ELEMENT_MAX_FACET_NODES][bs] */
 PetscErrorCode PairPointsFetch(PairPoints points, Vec v, PetscInt bs, PetscReal **values);
-/* Takes from a jump what the arm of a tie adds to it (eq. 5.4). Not collective. [in] X, u - places and displacements of PairPointsFetch();
+/* Subtracts the term of a tie's arm from a jump (eq. 5.4). Not collective.
+   [in] X, u - places and displacements of PairPointsFetch();
    [in,out] jump - [dim] */
 void PairPointTakeArm(PairPoints points, const Level *level, const PairPoint *point, const PetscReal X[],
                       const PetscReal u[], PetscReal jump[]);

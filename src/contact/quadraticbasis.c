@@ -1,13 +1,15 @@
 /* quadraticbasis.c -- the quadratic basis transformation, in which the rows of a pair are written.
 
-   At a node e behind the vertices v of a facet, u_e = d u~_e + sum_v w_v u~_v, and u_v = u~_v: hence
-   u~_e = (u_e - sum_v w_v u_v) / d. The weights depend on the edge (or the quad) alone, so that facets beside each other agree. */
+   At a node e behind the vertices v of a facet, u_e = d u~_e + sum_v w_v u~_v, and u_v = u~_v: hence u~_e =
+   (u_e - sum_v w_v u_v) / d. The weights depend on the edge (or the quad) alone, so they are the same for
+   neighbouring facets. */
 #include "base/compat.h"
 #include "kernel/dual.h"
 #include "contact/mortarintegrals.h"
 #include "contact/quadraticbasis.h"
 
-/* d, and w of the vertices; returns whether u~_e differs from u_e. [in] node - behind the vertices; [out] w - [vertices] */
+/* d, and w of the vertices; returns whether u~_e differs from u_e.
+   [in] node - behind the vertices; [out] w - [vertices] */
 static PetscBool QuadraticBasisWeights_Private(ElementType type, ElementType carrier, PetscInt node, PetscReal *d,
                                                PetscReal w[])
 {

@@ -1,7 +1,8 @@
 /* reach.c -- the search radius of a pair.
 
-   An unused multiplier costs one row, but missed contact is a wrong answer. So the reach is large, and larger where bodies overlap
-   by more. Bodies that move farther than the reach are checked after the solution (reachcheck.h). */
+   An unused multiplier costs one row, but missed contact is a wrong answer. So the reach is large, and larger
+   where bodies overlap by more. Bodies that move farther than the reach are checked after the solution
+   (reachcheck.h). */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "contact/pairassembly.h"
@@ -12,7 +13,8 @@ static const PetscReal REACH_FACETS = 3;
 static const PetscReal REACH_PRESCRIBED = 2, REACH_SIDE = 0.1;
 /* Ties join sides also across a gap, independent of the size of facets: within half of the smaller side. */
 static const PetscReal REACH_TIED = 0.5;
-/* Largest ratio of a ray out of an overlap to the shortest path, for a flat partner: 1 / 0.3 where sides barely face each other. */
+/* Largest ratio of a ray out of an overlap to the shortest path, for a flat partner: 1 / 0.3 where sides
+   barely face each other. */
 static const PetscReal REACH_OVERLAP = 3.5;
 
 /* Diagonal of the box around a side, over all ranks; 0 for an empty one. */

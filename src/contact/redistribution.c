@@ -1,18 +1,19 @@
 /* redistribution.c -- redistribution of removed constraints.
 
-   psi_a + sum_c w_ac psi_c keeps sum psi = 1 and D diagonal on the kept nodes, so constant pressures are represented exactly. In
-   2D this is the constant dual function of Wohlmuth (2000) at the ends of a side. Removed nodes lie in rings around the kept
-   ones: ring 1 has kept neighbours, ring k has neighbours in ring k - 1. W_k = W_(k-1) N_k, with N_k the mean over them. One
-   ring is usual; more are needed where another pair constrains several nodes in a row. */
+   psi_a + sum_c w_ac psi_c keeps sum psi = 1 and D diagonal on the kept nodes, so constant pressures are
+   represented exactly. In 2D this is the constant dual function of Wohlmuth (2000) at the ends of a side.
+   Removed nodes lie in rings around the kept ones: ring 1 has kept neighbours, ring k has neighbours in ring
+   k - 1. W_k = W_(k-1) N_k, with N_k the mean over them. One ring is usual; more are needed where another
+   pair constrains several nodes in a row. */
 #include "base/compat.h"
 #include "contact/redistribution.h"
 
-/* Least weight of a kept node with the rows that it takes over, as a share of its own. With less, its dual function would be
-   negative on as much of the side as positive. */
+/* Least weight of a kept node with the rows that it takes over, as a share of its own. With less, its dual
+   function would be negative on as much of the side as positive. */
 static const PetscReal LEFT_OVER = 0.1;
 
-/* Whether two nodes of a facet follow each other on the lattice of its nodes, which has steps of 1 / order along its edges: not the
-   vertices of a quadratic facet, nor those that lie across a quad. */
+/* Whether two nodes of a facet are neighbours on the lattice of its nodes, with steps of 1 / order along its
+   edges. Vertices of a quadratic facet are not, nor opposite ones of a quad. */
 static PetscBool RedistributionAreNeighbours_Private(ElementType type, PetscInt i, PetscInt j)
 {
   const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j), longest = 1.5 / ElementOrder(type);
@@ -24,8 +25,8 @@ static PetscBool RedistributionAreNeighbours_Private(ElementType type, PetscInt 
   return (PetscBool)(x + y < longest);
 }
 
-/* Moves into ring k, on every rank, the nodes that wait beside ring k - 1. [in,out] ring - [num_nodes], -1 waits;
-   [out] found - whether there was any */
+/* Assigns ring k, on every rank, to nodes without a ring beside ring k - 1.
+   [in,out] ring - [num_nodes], -1 for none; [out] found - whether there was any */
 static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets *facets, const MortarIntegrals *sums,
                                                      PetscInt k, PetscInt ring[], PetscBool *found)
 {
@@ -64,7 +65,8 @@ static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of ring k. */
+/* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of
+   ring k. */
 static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const Facets *facets,
                                                            const MortarIntegrals *sums, PetscInt k,
                                                            const PetscInt ring[], Mat *N)

@@ -1,9 +1,10 @@
 /* smoothgap.c -- gaps between smooth sides.
 
-   Facets of first order deviate from a curved side by an eighth of the square of their length over the radius. On most meshes that
-   is as much as an interference fit, or the approach of two bodies. Nodes are on the curved side, and their normals determine its
-   curve between them. In integrals, points stay on the facets; only the gap is that of the curves, to first order: their distance
-   from the facets along the ray is added. */
+   Facets of first order deviate from a curved side by an eighth of the square of their length over the
+   radius. On most meshes that is as much as an interference fit, or the approach of two bodies. Nodes are on
+   the curved side, and their normals determine its curve between them. In integrals, points stay on the
+   facets; only the gap is that of the curves, to first order: their distance from the facets along the ray is
+   added. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -14,7 +15,8 @@ enum { F = ELEMENT_MAX_FACET_NODES };
 /* Normals that differ by less are parallel. */
 static const PetscReal TURN_ROUNDING = 1e-11;
 
-/* Largest deviation of a straight facet from its curve. It is that of an arc, since half of an edge may be straight. */
+/* Largest deviation of a straight facet from its curve. It is that of an arc, since half of an edge may be
+   straight. */
 static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[])
 {
   PetscReal most = 0;
@@ -34,7 +36,8 @@ static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, c
   return most;
 }
 
-/* Largest deviation of a facet from its curve: a parabola deviates by s gamma^2 / 16 from an arc of angle 2 gamma and bulge s.
+/* Largest deviation of a facet from its curve: a parabola deviates by s gamma^2 / 16 from an arc of angle 2
+   gamma and bulge s.
    [in] bulge - of the facet of first order */
 static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
                                              const PetscReal bulge[])
@@ -67,8 +70,8 @@ PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets
   *bulges = NULL;
   *left   = 0;
   if (spec->gap || spec->obstacle.kind == OBSTACLE_EXPRESSION) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(
-      PetscCalloc1(facets->num * F * dim + 1, bulges)); // also a rank without facets tells whether any rank has a curve
+  PetscCall(PetscCalloc1(facets->num * F * dim + 1,
+                         bulges)); // not NULL on ranks without facets, too: NULL means that no rank has a curve
   for (PetscInt f = 0; f < facets->num; f++) {
     const ElementType type = facets->type[f];
     const PetscReal  *N    = &shape->normal[f * F * dim];
@@ -102,7 +105,8 @@ PetscErrorCode SmoothGapCreateMortar(PetscInt dim, MortarSurface *mortar)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The direction of the ray through a point: that of the normals there; in space, before a mesh, that of the facet's plane. [out] n - [dim] */
+/* The direction of the ray through a point: that of the normals there; in space, before a mesh, that of the
+   facet's plane. [out] n - [dim] */
 static void SmoothGapAlongRay_Private(const FacetPartner *partner, const ClipFacet *facet, const PetscReal xi[],
                                       PetscReal n[])
 {

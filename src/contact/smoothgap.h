@@ -4,17 +4,19 @@
 
 #include "contact/overlappoints.h"
 
-/* Bulges of the curves over the edges of a side's facets (ArcBulge()); none for facets of second order. Collective.
+/* Bulges of the curves over the edges of a side's facets (ArcBulge()); none for facets of second order.
+   Collective.
    [in] shape - of the facets
-   [out] bulges - owned by the caller [num][ELEMENT_MAX_FACET_NODES][dim]; NULL where no rank has one, the side is polygonal, or
-   gaps are given
+   [out] bulges - owned by the caller [num][ELEMENT_MAX_FACET_NODES][dim]; NULL where no rank has one, the
+   side is polygonal, or gaps are given
    [out] left - largest error of gaps that remains */
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
                                PetscBool polygonal, PetscReal **bulges, PetscReal *left);
 /* The same for the mortar facets on this rank. Not collective. */
 PetscErrorCode SmoothGapCreateMortar(PetscInt dim, MortarSurface *mortar);
 
-/* Changes the gaps of a facet's points to those between the curves; returns the largest change. Not collective.
+/* Changes the gaps of a facet's points to those between the curves; returns the largest change.
+   Not collective.
    [in] bulges - of the facet, or NULL */
 PetscReal SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
                          OverlapPoints *list);
