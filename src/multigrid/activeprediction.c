@@ -136,8 +136,9 @@ static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One cycle beyond the bounds, and back onto them: what would penetrate touches. From a start without contact a
-   step that keeps within the bounds would be short. [in] kept - of ActivePredictionCorrect_Private() */
+/* One cycle beyond the bounds, and back onto them: unknowns beyond their bounds are set to these. From a
+   start without contact a step within the bounds would be short.
+   [in] kept - of ActivePredictionCorrect_Private() */
 static PetscErrorCode ActivePredictionJump_Private(Iterate *it, PC pc, PetscBool kept)
 {
   const Vec   c = it->step;
@@ -197,7 +198,7 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
 
   PetscFunctionBeginUser;
   *gained = 0;
-  if (level->S) PetscFunctionReturn(PETSC_SUCCESS); // the diagonal is no smoother here, and its steps predict nothing
+  if (level->S) PetscFunctionReturn(PETSC_SUCCESS); // the diagonal is no smoother here
   PetscCall(VecPointwiseMin(y, y, level->op.upper));
   PetscCall(ActivePredictionBegin_Private(&it));
   first = it.energy;

@@ -11,13 +11,16 @@
    [out] energy_decrease - twice the decrease of the energy */
 PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active,
                                      PetscReal *energy_decrease);
-/* The same where the diagonal is no smoother, so that its steps predict nothing: cycles beyond the bounds and back onto them. Cycles that keep
-   within the bounds have no descent where many unknowns pass them. Collective. [in] pc - not NULL; [in] kept - whether the first cycle has the
-   factors that pc has, of the set of another load step; [in,out] y, active - as above */
+/* The same where the diagonal is no smoother and its steps predict nothing: cycles beyond the bounds and back
+   onto them. Cycles within the bounds have no descent where many unknowns reach them. Collective.
+   [in] pc - not NULL; [in] kept - whether the first cycle has the present factors of pc, of the set of
+   another load step; [in,out] y, active - as above */
 PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, PetscBool kept, Vec y,
                                       Vec active);
-/* The same without a coarser mesh: one cycle for the initial set goes beyond the bounds and back onto them, others follow until the set
-   does not change. Collective. [in] pc - multigrid on the level; [in,out] y - feasible; fixed unknowns have their values; [in,out] active - 1 or 0 */
+/* The same without a coarser mesh: one cycle for the initial set goes beyond the bounds and back onto them,
+   others follow until the set does not change. Collective.
+   [in] pc - multigrid on the level; [in,out] y - feasible; fixed unknowns have their values;
+   [in,out] active - 1 or 0 */
 PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active);
 /* The set of y: 1 where an unknown is at its bound with a force on it, else 0. Collective. [out] active */
 PetscErrorCode ActivePredictionGetActive(Hierarchy hierarchy, const HierarchyLevel *level, Vec y, Vec active);

@@ -8,9 +8,10 @@
        F = sum_chosen d d' - FLAT_EXTENT sum_all d d',   d = x_j - x_i:
 
    they do if F is positive definite (eq. 13.4). The coupling of two nodes is the trace of their block of K,
-   divided by the roots of the traces of both diagonal blocks, which halve along free surfaces. A coupling
+   divided by the roots of the traces of both diagonal blocks. These halve along free surfaces. A coupling
    counts if it is strong at both ends. The nodes it connects form a block if few of them have neighbours of
-   the block along all axes. Otherwise its factors would not be sparse, and it is split by a higher threshold. */
+   the block along all axes. Otherwise its factors would not be sparse, and it is split by a higher
+   threshold. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "multigrid/blocksmoother.h"
@@ -207,8 +208,8 @@ static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *gr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Number of nodes of each label with neighbours of it along all axes, less MAX_THICK_PART times all: on the rank of
-   the node whose number is the label. [in] label - own nodes, then ghosts */
+/* Number of nodes of each label with neighbours of it along all axes, less MAX_THICK_PART times all: on the
+   rank of the node whose number is the label. [in] label - own nodes, then ghosts */
 static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const PetscReal label[], Vec sum)
 {
   PetscFunctionBeginUser;

@@ -1,19 +1,20 @@
 /* graphpatches.c -- stars and cells in the graph of K.
 
-   N(i) are the nodes that share a cell with i, and i. Cells of order 2 have nodes other than vertices: a node j with N(j) in N(v)
-   has no cell without the vertex v, and
+   N(i) are the nodes that share a cell with i, and i. Cells of order 2 have nodes other than vertices: a node
+   j with N(j) in N(v) has no cell without the vertex v, and
 
        star of v = { j : N(j) in N(v) },   for nodes v with N(v) in no other N(w),
 
-   is v with all nodes inside of the cells around it. In cells of order 1 a star is v alone. There a patch is a cell: the common
-   neighbours of two nodes that share one cell only, which are all neighbours of each other.
+   is v with all nodes inside of the cells around it. In cells of order 1 a star is v alone. There a patch is
+   a cell: the common neighbours of two nodes that share one cell only, which are all neighbours of each
+   other.
 
-   A node of a mortar side moves nodes of the nonmortar side, and with them the volume of cells there. They join its patches: there they
-   can move back. */
+   A node of a mortar side moves nodes of the nonmortar side, which changes the volume of cells there. These
+   nodes join its patches, so that their motion can compensate the change. */
 #include "base/compat.h"
 #include "multigrid/graphpatches.h"
 
-/* Neighbourhoods of own nodes and of ghosts. Those of ghosts lack what is neither. */
+/* Neighbourhoods of own nodes and of ghosts, without other nodes. */
 typedef struct {
   const GhostExchange *ghosts;
   PetscInt            *start, *next; /* neighbours, the node itself among them [start[n + num]] */
@@ -94,7 +95,8 @@ static PetscInt GraphStar_Private(Graph *graph, PetscInt v, PetscInt star[])
   return num;
 }
 
-/* Whether nodes are all neighbours of each other, and node v is the first of them. Overwrites stamps by a number that no node has. */
+/* Whether nodes are all neighbours of each other, and node v is the first of them. Overwrites stamps by a
+   number that no node has. */
 static PetscBool GraphIsCell_Private(Graph *graph, PetscInt v, PetscInt num, const PetscInt node[])
 {
   const PetscInt mark = -2 - v;
@@ -147,7 +149,7 @@ static PetscErrorCode GraphPatchesAddCells_Private(Graph *graph, PetscInt v, con
     const PetscInt j = graph->next[k], num = GraphCommon_Private(graph, j, v, cell);
     PetscBool      known = (PetscBool)(j == v || num < 2);
 
-    for (PetscInt p = first; p < patches->num && !known; p++) // the patch has v and j, and so all that both have
+    for (PetscInt p = first; p < patches->num && !known; p++) // the patch has v and j, and so all common neighbours
       for (PetscInt i = patches->start[p]; i < patches->start[p + 1]; i++)
         known = (PetscBool)(known || (patches->node[i] == j && num == patches->start[p + 1] - patches->start[p]));
     if (known || !GraphIsCell_Private(graph, v, num, cell) || !GraphPatchesAreMarked_Private(num, cell, marked))

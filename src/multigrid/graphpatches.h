@@ -1,4 +1,5 @@
-/* graphpatches.h -- small sets of nodes around a vertex or of a cell, found in the graph of a matrix; internal (eq. 13.7). */
+/* graphpatches.h -- small sets of nodes around a vertex or of a cell, found in the graph of a matrix;
+   internal (eq. 13.7). */
 #ifndef MORTISE_GRAPHPATCHES_H
 #define MORTISE_GRAPHPATCHES_H
 
@@ -12,11 +13,13 @@ typedef struct {
   PetscInt *node;  /* counted as in GhostExchange [start[num]] */
 } GraphPatches;
 
-/* Patches of marked nodes. Collective. [in] rows - of a matrix with full blocks of bs unknowns; [in] ghosts - its nodes; [in] marked - own nodes, then
-   ghosts, 1 or 0 [n + num]; [out] patches - to be destroyed by the caller */
+/* Patches of marked nodes. Collective.
+   [in] rows - of a matrix with full blocks of bs unknowns; [in] ghosts - its nodes; [in] marked - own nodes,
+   then ghosts, 1 or 0 [n + num]; [out] patches - to be destroyed by the caller */
 PetscErrorCode GraphPatchesCreate(RankRows *rows, PetscInt bs, GhostExchange *ghosts, const PetscReal marked[],
                                   GraphPatches *patches);
-/* Adds to every patch the nodes that its nodes carry along. Not collective. [in] links - nodes (rows) and those that they carry (columns) */
+/* Adds to every patch the nodes that its nodes move by T. Not collective.
+   [in] links - nodes (rows) and those that they move (columns) */
 PetscErrorCode GraphPatchesExtend(const GhostExchange *ghosts, RankRows *links, GraphPatches *patches);
 PetscErrorCode GraphPatchesDestroy(GraphPatches *patches);
 

@@ -1,4 +1,5 @@
-/* hierarchy.c -- smoothers, eigenvalues and column sums of the given levels, and levels of nodes below them. */
+/* hierarchy.c -- smoothers, eigenvalues and column sums of the given levels, and levels of nodes below
+   them. */
 #include "base/compat.h"
 #include "multigrid/nodelevels.h"
 #include "multigrid/bodysmoother.h"
@@ -19,8 +20,8 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 }
 
 /* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
-   gain little. Bisected cells couple in no lines, whatever their shape. Two plates of cells 1 to 10 times as long as wide take 1.3 times
-   the iterations with the diagonal, and each costs a third to two thirds. */
+   gain little. Bisected cells form no lines of strong couplings. Two plates of cells 1 to 10 times as long as
+   wide take 1.3 times the iterations with the diagonal, and each costs a third to two thirds. */
 static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op,
                                                       Mat *S)
 {
@@ -88,7 +89,7 @@ static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, Hier
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What products cost. */
+/* The costs of products. */
 static PetscErrorCode HierarchySetShares_Private(Hierarchy h)
 {
   PetscFunctionBeginUser;
@@ -141,7 +142,8 @@ static PetscErrorCode HierarchyLevelDestroy_Private(HierarchyLevel *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Another smoother for a level that is the finest one no more: a stiff side of contact weighs in its blocks then. */
+/* Another smoother for a level that is no longer the finest one: its blocks then contain a stiff side of
+   contact. */
 static PetscErrorCode HierarchyRenewLevel_Private(const HierarchyInput *input, HierarchyLevel *level)
 {
   PetscFunctionBeginUser;

@@ -1,4 +1,5 @@
-/* hierarchy.h -- one inequality on several levels, and the prolongations between them; internal (eq. 13.3). */
+/* hierarchy.h -- one inequality on several levels, and the prolongations between them; internal
+   (eq. 13.3). */
 #ifndef MORTISE_HIERARCHY_H
 #define MORTISE_HIERARCHY_H
 
@@ -14,8 +15,8 @@ typedef struct {
   Vec weight;        /* sums of the squares of the columns of P; NULL like P */
   Vec diag;          /* of A */
   Mat S;             /* the smoother's, or NULL where that is the diagonal */
-  PetscReal largest; /* eigenvalue of S^-1 A at least; 0 on the coarsest */
-  PetscReal share;   /* entries of A by those of the finest: what a product costs */
+  PetscReal largest; /* upper bound on the eigenvalues of S^-1 A; 0 on the coarsest */
+  PetscReal share;   /* entries of A over those of the finest: the cost of a product */
 } HierarchyLevel;
 
 typedef struct _n_Hierarchy {
@@ -35,23 +36,26 @@ typedef struct {
   Operator *op; /* with A, b, upper and inverse, the finest of them last [num]; taken over */
   Mat      *P;  /* NULL on the coarsest [num]; taken over */
   PetscBool
-            below; /* whether levels of nodes are made below the coarsest one; if not it is factored, and has an AIJ matrix A and no S */
+      below; /* whether levels of nodes are made below the coarsest one; if not its A is AIJ and is factored, without S */
   NodeTable table;    /* of the coarsest one, for the first level below it; taken over */
   PetscBool lines;    /* whether cells may be long in whole lines or planes of nodes */
-  PetscBool bisected; /* whether they are simplices that were bisected: then blocks pay beside stiff sides alone */
+  PetscBool bisected; /* whether they are bisected simplices: then blocks are of use beside stiff sides alone */
 } HierarchyInput;
 
 /* Whether a coarsest level of that many unknowns is not to be factored. Not collective. */
 PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns);
 /* Collective. [in,out] input; [out] hierarchy - owned by the caller */
 PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy);
-/* Appends a level: the others keep matrices, smoothers, eigenvalues and transfer. For meshes of several levels. Collective. [in] drop - whether the finest level so far leaves;
-   [in] renew - whether its A has changed, so that it gets another smoother; [in] op, P - of the new level, from the one below it; taken over */
+/* Appends a level; the others keep matrices, smoothers, eigenvalues and transfers. For meshes of several
+   levels. Collective.
+   [in] drop - whether the present finest level is removed; [in] renew - whether its A has changed: it gets
+   another smoother; [in] op, P - of the new level, from the one below it; taken over */
 PetscErrorCode HierarchyExtend(Hierarchy hierarchy, PetscBool drop, PetscBool renew, const Operator *op, Mat P);
-/* Whether there is one or not. Collective. */
+/* NULL is accepted. Collective. */
 PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
 
-/* Sets the test that ends an iteration which costs too much. Not collective. [in] is_over - collective, or NULL; [in] ctx - borrowed */
+/* Sets the test that ends an iteration which costs too much. Not collective.
+   [in] is_over - collective, or NULL; [in] ctx - borrowed */
 PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscBool *), void *ctx);
 /* The result of that test; false without one. Collective. */
 PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over);

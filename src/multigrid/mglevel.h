@@ -6,13 +6,13 @@
 
 /* A level with some unknowns fixed: active ones, and those that its operator fixes. */
 typedef struct {
-  Hierarchy       hierarchy;     /* borrowed */
-  HierarchyLevel *base;          /* borrowed */
-  Mat             change;        /* what truncation on finer levels adds to A, on the finest the caller, or NULL */
-  Vec             free;          /* M: 1 where free, 0 where fixed */
-  Vec             W;             /* on the diagonal of A, or NULL; borrowed */
-  PetscBool       ready;         /* whether MGLevelSetFree() was called */
-  PetscInt        num;           /* fixed unknowns of this rank */
+  Hierarchy       hierarchy; /* borrowed */
+  HierarchyLevel *base;      /* borrowed */
+  Mat             change;    /* the change of A by truncation on finer levels, on the finest by the caller; or NULL */
+  Vec             free;      /* M: 1 where free, 0 where fixed */
+  Vec             W;         /* on the diagonal of A, or NULL; borrowed */
+  PetscBool       ready;     /* whether MGLevelSetFree() was called */
+  PetscInt        num;       /* fixed unknowns of this rank */
   PetscInt        num_truncated; /* of these, not fixed by the operator */
   PetscInt       *fixed;         /* counted from this rank's first [num] */
   Vec             diag;          /* of A + change, of A where fixed */
@@ -28,7 +28,8 @@ PetscErrorCode MGLevelDestroy(MGLevel *level);
 
 /* Sets the free unknowns of the finest level, and from there of all coarser ones. Only changes since the last
    call cost work. Collective.
-   [in,out] levels - coarse first [num]; [in] free - of the finest: 1 where free, 0 where fixed; [in] more - what is added to A there, few entries,
+   [in,out] levels - coarse first [num];
+   [in] free - of the finest: 1 where free, 0 where fixed; [in] more - what is added to A there, few entries,
    or NULL */
 PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more);
 /* A^ of the coarsest level as a matrix. Collective. */

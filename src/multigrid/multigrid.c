@@ -29,12 +29,14 @@ static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the contex
    not grow with the number of levels. */
 enum { SMOOTHING_STEPS = 3 };
 static const PetscReal SMOOTHED_FROM = 0.07;
-/* The same over cells of order 1 that keep their volume: what keeps it in the mean of each cell is wider than a patch of one cell. One square of
-   32 x 32 cells, nu = 0.4999: 48 iterations with three steps from 0.1, 26 with these, 17 with eight from 0.01. */
+/* The same over cells of order 1 of nearly incompressible bodies: displacements that keep the volume of each
+   cell extend beyond a patch of one cell. One square of 32 x 32 cells, nu = 0.4999: 48 iterations with three
+   steps from 0.1, 26 with these, 17 with eight from 0.01. */
 enum { SMOOTHING_STEPS_CELLS = 5 };
 static const PetscReal SMOOTHED_FROM_CELLS = 0.02;
-/* Factor that shortens steps after an indefinite cycle. In one scene ten steps of CG found 2.21 for the largest eigenvalue 2.65. With a margin of a tenth, three Chebyshev steps
-   amplify errors there, as they do beyond 1.07 times their upper end. */
+/* Factor that shortens steps after an indefinite cycle. In one scene ten steps of CG found 2.21 for the
+   largest eigenvalue 2.65. With a margin of a tenth, three Chebyshev steps amplify errors there, as they do
+   beyond 1.07 times their upper end. */
 static const PetscReal STEP_REDUCTION = 1.25;
 
 typedef struct {
@@ -96,7 +98,7 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free, Ma
 
   PetscFunctionBeginUser;
   if (finest->ready && !finest->change && !more) PetscCall(VecEqual(free, finest->free, &same));
-  if (same) PetscFunctionReturn(PETSC_SUCCESS); // as where a prediction ends with the set of the first system
+  if (same) PetscFunctionReturn(PETSC_SUCCESS); // a prediction may end with the set of the first system
   PetscCall(MGLevelSetFree(multigrid->num, multigrid->level, free, more));
   for (PetscInt l = 1; l < multigrid->num; l++) { // factors of smoothers are out of date
     PetscCall(MatAssemblyBegin(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
@@ -368,7 +370,7 @@ static PetscErrorCode SetUp_Multigrid(PC pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* z = cycle of r; eliminated unknowns, which couple to nothing, by themselves. [in] r - is spoilt */
+/* z = cycle of r; eliminated unknowns, which are decoupled, separately. [in,out] r - overwritten */
 static PetscErrorCode MultigridCycle_Private(Multigrid *multigrid, Vec r, Vec z)
 {
   const Operator *op = &multigrid->level[multigrid->num - 1].base->op;

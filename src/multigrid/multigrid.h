@@ -15,9 +15,10 @@ PetscErrorCode MultigridRegister(void);
    `vinewtonrsls`, where the PC acts on its inactive unknowns, else NULL. Its Jacobian is replaced by one
    whose submatrices are not copies */
 PetscErrorCode MultigridSetHierarchy(PC pc, Hierarchy hierarchy, PetscInt finest, SNES snes);
-/* Sets which unknowns are free (1) and which are fixed (0). Collective. [in] more - what is added to the finest matrix, few entries, or NULL */
+/* Sets which unknowns are free (1) and which are fixed (0). Collective.
+   [in] more - what is added to the finest matrix, few entries, or NULL */
 PetscErrorCode MultigridSetFree(PC pc, Vec free, Mat more);
-/* Whether the smoother of the finest level sees what is added there. Not collective. */
+/* Whether the smoother of the finest level contains the matrix that is added there. Not collective. */
 PetscErrorCode MultigridSmoothsMore(PC pc, PetscBool *smooths);
 /* Shortens the smoothing steps on all levels: for a cycle that is indefinite, since estimates of largest
    eigenvalues may be too small. Collective. */
@@ -35,8 +36,8 @@ PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy);
 PetscErrorCode MultigridGetForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
 /* Starts a new estimate of the error. Not collective. */
 PetscErrorCode MultigridResetError(PC pc);
-/* Estimates the order of magnitude of e'A e for the error e of the last iterate: r'B r of the iterate before, times the last
-   reduction of r'B r. PETSC_MAX_REAL before the first cycle. Not collective. */
+/* Estimates the order of magnitude of e'A e for the error e of the last iterate: r'B r of the iterate before,
+   times the last reduction of r'B r. PETSC_MAX_REAL before the first cycle. Not collective. */
 PetscErrorCode MultigridGetError(PC pc, PetscReal *square);
 
 #endif

@@ -2,11 +2,12 @@
 
    No two coarse nodes are coupled. Corners are chosen first, then nodes on edges and faces, since nodes
    outside of all coarse ones need extrapolation [1]. Every other node interpolates its displacement from a
-   few coarse nodes nearby, exactly for linear functions (barycentric.c): the coarse level has the rigid body
-   modes and uniform strains of the finer one. A node without such an interpolation becomes a coarse node.
-   Each rank chooses among its own nodes, and interpolates from those of other ranks, too.
+   few coarse nodes nearby, exactly for linear functions (barycentric.c). So the coarse level has the rigid
+   body modes and uniform strains of the finer one. A node without such an interpolation becomes a coarse
+   node. Each rank chooses among its own nodes, and interpolates from those of other ranks, too.
 
-   References: [1] Adams, Demmel, Parallel multigrid solver for 3D unstructured finite element problems, 1999. */
+   References: [1] Adams, Demmel, Parallel multigrid solver for 3D unstructured finite element problems,
+   1999. */
 #include "multigrid/barycentric.h"
 #include "multigrid/ghostexchange.h"
 #include "multigrid/nodecoarsening.h"
@@ -191,7 +192,8 @@ static PetscErrorCode NodeCoarseningChoose_Private(Net *net)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds a coarse node to the candidates, in place of the farthest if there are too many. [in,out] from, d, num */
+/* Adds a coarse node to the candidates, in place of the farthest if there are too many.
+   [in,out] from, d, num */
 static void NodeCoarseningAddCandidate_Private(const Net *net, PetscInt i, PetscInt node, PetscInt *num,
                                                PetscInt from[], PetscReal d[])
 {

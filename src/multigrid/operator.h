@@ -1,4 +1,4 @@
-/* operator.h -- one level's inequality as multigrid sees it: matrices, masks and node positions, nothing of where they come from. */
+/* operator.h -- the inequality of one level for multigrid: matrices, masks and node positions. */
 #ifndef MORTISE_OPERATOR_H
 #define MORTISE_OPERATOR_H
 
@@ -7,8 +7,8 @@
 /* A coarse unknown is fixed if at most this part of the squares of its prolongation is free. */
 #define OPERATOR_MIN_FREE 1e-2
 
-/* min 1/2 y'A y - b'y, y <= upper, with A = M (T'K T / stiffness + W) M + 1 - M, M = 0 for fixed unknowns, 1 for free ones.
-   Objects are referenced; NULL where the comment says so. */
+/* min 1/2 y'A y - b'y, y <= upper, with A = M (T'K T / stiffness + W) M + 1 - M, M = 0 for fixed unknowns, 1
+   for free ones. Objects are referenced; NULL where the comment says so. */
 typedef struct {
   Mat       A;        /* SPD, a matrix or a shell */
   Vec       b, upper; /* NULL on a level made of nodes */
@@ -27,7 +27,8 @@ typedef struct {
   const PetscReal *coords; /* of this rank's nodes, then others'; borrowed [num][dim]; NULL on a level made of nodes */
 } Operator;
 
-/* Not collective. [in] A - AIJ, SPD: the matrix of a level made of nodes; referenced; [in] fixed - taken over [num_fixed];
+/* Not collective.
+   [in] A - AIJ, SPD: the matrix of a level made of nodes; referenced; [in] fixed - taken over [num_fixed];
    [out] op - to be released by OperatorDestroy() */
 PetscErrorCode OperatorCreateOfMatrix(Mat A, PetscInt num_fixed, PetscInt fixed[], Operator *op);
 PetscErrorCode OperatorDestroy(Operator *op);

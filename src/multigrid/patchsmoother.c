@@ -1,20 +1,22 @@
 /* patchsmoother.c -- additive smoother over small patches of nodes.
 
-   Where a body keeps its volume, displacements without change of volume cost little energy, and others much. A smoother
-   must reduce errors of the first kind without making any of the second. Node by node it cannot: no displacement of one node keeps the
-   volume of all cells around it. Those of a patch can, and every displacement that keeps the volume is a sum of such ones [1].
+   In a nearly incompressible body, displacements without change of volume have little energy, and others
+   much. A smoother must reduce errors of the first kind without adding errors of the second. Node by node
+   this fails: no displacement of one node keeps the volume of all cells around it. Displacements of a patch
+   can keep it, and every displacement that keeps the volume is a sum of such ones [1].
 
-   Patches overlap, and (R_p A R_p')^-1 is kept as a matrix, half of it. With other active unknowns only the patches with a changed entry
-   are inverted again.
+   Patches overlap, and (R_p A R_p')^-1 is kept as a matrix, half of it. With other active unknowns only the
+   patches with a changed entry are inverted again.
 
-   References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables, 1999. */
+   References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables,
+   1999. */
 #include "base/compat.h"
 #include "multigrid/eigenvalue.h"
 #include "multigrid/graphpatches.h"
 #include "multigrid/patchsmoother.h"
 #include <petscblaslapack.h>
 
-/* What all shells of one level share. */
+/* Data of all shells of one level. */
 typedef struct {
   PetscInt      references;
   PetscInt      dim;
@@ -114,7 +116,7 @@ static void PatchSmootherAdd_Private(PetscInt num, const PetscInt unknown[], con
   for (PetscInt i = 0; i < num; i++) z[unknown[i]] += y[i];
 }
 
-/* Sums what ghosts have got into their owners. [in,out] z - own unknowns, then ghosts */
+/* Adds the values of ghosts to their owners. [in,out] z - own unknowns, then ghosts */
 static PetscErrorCode PatchSmootherShare_Private(GhostExchange *unknowns, PetscReal z[])
 {
   PetscScalar *a;
@@ -171,7 +173,8 @@ static PetscErrorCode Mult_PatchSmoother(Mat S, Vec r, Vec z)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds factor times the entries of a matrix among unknowns. [in] at - place of each unknown in the patch, or -1; [in,out] a - [num][num] */
+/* Adds factor times the entries of a matrix among unknowns.
+   [in] at - place of each unknown in the patch, or -1; [in,out] a - [num][num] */
 static PetscErrorCode PatchesAddEntries_Private(RankRows *rows, PetscReal factor, PetscInt num,
                                                 const PetscInt unknown[], const PetscInt at[], PetscReal a[])
 {
@@ -188,7 +191,8 @@ static PetscErrorCode PatchesAddEntries_Private(RankRows *rows, PetscReal factor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The upper triangle of the inverse by rows; where rounding has left a matrix that is not definite, that of its diagonal. [in,out] a - [num][num] */
+/* The upper triangle of the inverse by rows; if roundoff makes the matrix indefinite, that of its diagonal.
+   [in,out] a - [num][num] */
 static PetscErrorCode PatchesInvert_Private(PetscInt num, PetscReal a[], const PetscReal diag[], PetscReal block[])
 {
   PetscBLASInt n, info;
@@ -202,7 +206,8 @@ static PetscErrorCode PatchesInvert_Private(PetscInt num, PetscReal a[], const P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The block of one patch; rows of fixed unknowns are 0. [in] change - rows of what is added to A, or NULL; [in] gone - fixed unknowns; [in,out] at - -1
+/* The block of one patch; rows of fixed unknowns are 0.
+   [in] change - rows of the matrix added to A, or NULL; [in] gone - fixed unknowns; [in,out] at - -1
    everywhere; work - room for 2 matrices and the diagonal */
 static PetscErrorCode PatchesSetBlock_Private(Patches *shared, RankRows *change, PetscInt p, const PetscReal gone[],
                                               PetscInt at[], PetscReal work[], PetscReal **block)
@@ -349,7 +354,8 @@ static PetscErrorCode PatchSmootherFix_Private(PatchSmoother *patch, PetscInt nu
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Patches amplify several times as much as a diagonal does, where they overlap. Beside nodes without patch both get the same largest eigenvalue. */
+/* Where patches overlap, their largest eigenvalue is several times that of a diagonal. Both get the same one,
+   for nodes without a patch beside them. */
 static PetscErrorCode PatchSmootherBalance_Private(const Operator *op, Patches *shared, Mat inverse)
 {
   PetscInt  alone = 0;
@@ -433,7 +439,8 @@ static PetscErrorCode PatchesSpreadMarks_Private(GhostExchange *nodes, RankRows 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Patches of marked nodes, and of those around mortar nodes that carry such nodes. [in] links - nodes and what they carry; or NULL */
+/* Patches of marked nodes, and of those around mortar nodes that move such nodes.
+   [in] links - nodes and those that they move; or NULL */
 static PetscErrorCode PatchesFindMarked_Private(const Operator *op, Patches *shared, RankRows *links)
 {
   const PetscInt num = shared->nodes.n + shared->nodes.num;

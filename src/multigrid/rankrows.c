@@ -2,7 +2,7 @@
 #include "base/compat.h"
 #include "multigrid/rankrows.h"
 
-/* Own unknowns and ghosts, ascending. [out] at - where each stands */
+/* Own unknowns and ghosts, ascending. [out] at - position of each among own unknowns, then ghosts */
 static PetscErrorCode RankRowsColumns_Private(RankRows *rows, IS *columns)
 {
   const GhostExchange *ghosts = rows->ghosts;
@@ -65,7 +65,7 @@ PetscErrorCode RankRowsDestroy(RankRows *rows)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Where a global column stands, -1 if it is no ghost. */
+/* Position of a global column, -1 if it is no ghost. */
 static PetscErrorCode RankRowsFind_Private(const RankRows *rows, PetscInt column, PetscInt *at)
 {
   const GhostExchange *ghosts = rows->ghosts;

@@ -9,16 +9,19 @@ typedef struct {
   PetscInt             bs;     /* rows of A per row of ghosts */
   const GhostExchange *ghosts; /* borrowed */
   Mat                  theirs; /* rows of ghosts, columns of own rows and ghosts; NULL on one rank */
-  PetscInt            *at;     /* where columns of theirs stand among own ones and ghosts */
+  PetscInt            *at;     /* positions of the columns of theirs among own ones and ghosts */
   PetscInt             max;    /* room in column and value */
   PetscInt            *column;
   PetscScalar         *value;
 } RankRows;
 
-/* Collective. [in] A - AIJ, or NULL; [in] ghosts - of its rows in blocks of bs; [out] rows - to be destroyed by the caller */
+/* Collective.
+   [in] A - AIJ, or NULL; [in] ghosts - of its rows in blocks of bs; [out] rows - to be destroyed by the
+   caller */
 PetscErrorCode RankRowsCreate(Mat A, PetscInt bs, const GhostExchange *ghosts, RankRows *rows);
 PetscErrorCode RankRowsDestroy(RankRows *rows);
-/* A row: all rows, and all columns, are counted from this rank's first; then come ghosts. Columns that are neither are left out. Not collective.
+/* A row: all rows, and all columns, are counted from this rank's first; then come ghosts. Other columns are
+   omitted. Not collective.
    [out] column, value - borrowed until the next call [num] */
 PetscErrorCode RankRowsGet(RankRows *rows, PetscInt row, PetscInt *num, const PetscInt **column,
                            const PetscScalar **value);

@@ -1,10 +1,10 @@
-/* redundantsolve.c -- a small matrix, factored redundantly: on every rank, or where it is not so small on the first of each
-   group of ranks.
+/* redundantsolve.c -- redundant factorization of a small matrix: on every rank, or for larger ones on the
+   first of each group of ranks.
 
-   On several ranks a distributed factorization would be messages and hardly any work. Ranks of one machine share its memory: where the
-   factors of all would not fit into caches, one rank of a group solves while the others wait.
-   PETSc's PCREDUNDANT does not pass on that the matrix is positive definite: its factorization looks for pivots, and finds some
-   where one rank finds none. */
+   A distributed factorization would take mostly messages. Ranks of one machine share its caches. If the
+   factors of all would exceed them, one rank of a group solves while the others wait. PETSc's PCREDUNDANT
+   does not pass on that the matrix is positive definite: its factorization searches pivots, and results
+   differ from those of one rank. */
 #include "base/compat.h"
 #include "multigrid/redundantsolve.h"
 
@@ -35,7 +35,7 @@ static PetscErrorCode RedundantSolveRelease_Private(RedundantSolve *redundant)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Groups of consecutive ranks, and whose rows are where. Collective. */
+/* Groups of consecutive ranks, and the positions of their rows. Collective. */
 static PetscErrorCode RedundantSolveSetGroups_Private(Mat A, RedundantSolve *redundant)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)A);

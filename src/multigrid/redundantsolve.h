@@ -4,8 +4,8 @@
 
 #include <petscksp.h>
 
-/* Makes pc, whose matrix is SPD, a factorization that every rank, or one of each group of ranks, computes by itself. Options are those of
-   PETSc, with the prefix of pc. Collective. */
+/* Makes pc, whose matrix is SPD, a factorization that every rank, or one of each group of ranks, computes by
+   itself. Options are those of PETSc, with the prefix of pc. Collective. */
 PetscErrorCode RedundantSolveSetPC(PC pc);
 
 #endif

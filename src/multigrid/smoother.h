@@ -18,10 +18,10 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor);
    [in] from - without fixed unknowns, or NULL; [in] change - of A, or NULL; [in] fixed - counted from this
    rank's first [num]; [in,out] S - replaced, owned by the caller; NULL like `from` */
 PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S);
-/* Makes pc the inverse of S, its second operator; blocks are not cut by ranks. Collective. [in] S - or NULL
-   for the diagonal */
+/* Makes pc the inverse of S, its second operator; each block is solved on one rank. Collective.
+   [in] S - or NULL for the diagonal */
 PetscErrorCode SmootherSetPC(PC pc, Mat S);
-/* Must be called after pc of SmootherSetPC() got another S. Collective. */
+/* Call it after pc of SmootherSetPC() got another S. Collective. */
 PetscErrorCode SmootherRenew(PC pc);
 
 #endif

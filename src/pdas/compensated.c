@@ -4,7 +4,8 @@
    Here the roundoff of every product and sum is carried along [1]. Then corrections by a factorization
    converge to the solution itself, not just to a small residual. The error bound holds however small it is.
 
-   References: [1] Ogita, Rump, Oishi, Accurate sum and dot product, 2005 (algorithm Dot2; Dekker's product). */
+   References: [1] Ogita, Rump, Oishi, Accurate sum and dot product, 2005 (algorithm Dot2; Dekker's
+   product). */
 #include "base/compat.h"
 #include "pdas/pdasimpl.h"
 

@@ -17,7 +17,8 @@ typedef struct {
   PetscInt *end;   /* [start[num]] */
 } Graph;
 
-/* Appends the blocks of a row that are not marked with its block yet. [in,out] mark - [blocks of all ranks] */
+/* Appends the blocks of a row that are not marked with its block yet.
+   [in,out] mark - [blocks of all ranks] */
 static PetscErrorCode DissectionAddRow_Private(Mat A, PetscInt row, const PetscBT last, PetscInt mark[], Graph *graph,
                                                PetscInt *max)
 {

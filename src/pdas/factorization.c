@@ -1,7 +1,8 @@
 /* factorization.c -- MUMPS, called directly.
 
    PETSc cannot pass an ordering to MUMPS' Cholesky factorization. With a Schur complement MUMPS itself offers
-   minimum degree only, which in 3D costs twice the operations of nested dissection and a quarter more memory. */
+   minimum degree only, which in 3D costs twice the operations of nested dissection and a quarter more
+   memory. */
 #include <dmumps_c.h>
 #include "base/threads.h"
 #include "base/usererror.h"
@@ -27,7 +28,8 @@ enum { MAX_DOUBLED = 5, WHOLE = 100 };
 enum { ANALYSED_SIZE = 15 };
 enum { JOB_BEGIN = -1, JOB_END = -2, JOB_ANALYSE = 1, JOB_FACTOR = 2, JOB_SOLVE = 3, SYMMETRIC_DEFINITE = 1 };
 
-/* Operations of a factorization from which on the threads of a BLAS work more than they wait: some seconds of a processor. */
+/* Operations of a factorization from which on the threads of a BLAS work more than they wait: some seconds of
+   a processor. */
 static const PetscReal MANY_OPERATIONS = 1e11;
 
 struct _n_Factor {

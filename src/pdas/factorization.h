@@ -8,8 +8,8 @@
 
 typedef struct _n_Factor *Factorization;
 
-/* A_II = L L' and S = A_CC - A_CI A_II^-1 A_IC by MUMPS. Its controls are PETSc's options -mat_mumps_icntl_<n> and
-   -mat_mumps_cntl_<n>, behind the prefix. Collective.
+/* A_II = L L' and S = A_CC - A_CI A_II^-1 A_IC by MUMPS. Its controls are PETSc's options
+   -mat_mumps_icntl_<n> and -mat_mumps_cntl_<n>, behind the prefix. Collective.
    [in] C - ascending, the same on all ranks [num]; [out] S - on the first rank [num][num];
    PETSC_ERR_MEM if the system has no memory left; a workspace of MUMPS that is too small is no such error.
    [out] error - the same on all ranks; after an error only FactorizationDestroy() is allowed */
@@ -51,7 +51,8 @@ PetscErrorCode MumpsMemoryIncrease(SNES snes, PetscBool *again);
 
 /* An ordering of pivots by nested dissection of the graph of A's blocks, with C last: half the operations of
    a minimum degree ordering in 3D. Collective.
-   [in] C - the same on all ranks [num]; [out] position - from 1, of every unknown, on the first rank [N of A] */
+   [in] C - the same on all ranks [num];
+   [out] position - from 1, of every unknown, on the first rank [N of A] */
 PetscErrorCode DissectionOrder(Mat A, PetscInt num, const PetscInt C[], PetscInt position[]);
 
 #endif

@@ -1,10 +1,11 @@
-/* friction.h -- friction at bounded unknowns, and the semismooth Newton method that solves with it (eq. 16.3).
+/* friction.h -- friction at bounded unknowns, and the semismooth Newton method that solves with it
+   (eq. 16.3).
 
    A node with friction has one bounded unknown y_n <= upper and one or two unknowns y_t along the sides. With
    the forces r = b - A y,
        0 <= r_n  _|_  upper - y_n >= 0,    |r_t| <= G,    r_t = G s / |s| where s != 0,
        s = y_t - origin,    G = bound + coefficient max(r_n, 0).
-   bound alone is Tresca's friction, a convex problem; coefficient alone is Coulomb's. Knows nothing of contact. */
+   bound alone is Tresca's friction, a convex problem; coefficient alone is Coulomb's. */
 #ifndef MORTISE_FRICTION_H
 #define MORTISE_FRICTION_H
 

@@ -1,8 +1,8 @@
 /* frictionanderson.c -- Anderson's acceleration of the fixed point iteration over Tresca's problems [1].
 
-   x is the vector of limits, g(x) that of limits from the pressures with them, and f = g(x) - x. The next x is g
-   of that combination of the last iterates, with weights of sum 1, whose combination of f is least. Where the
-   iteration alone converges slowly, or alternates, few iterates suffice.
+   x is the vector of limits, g(x) that of limits from the pressures with them, and f = g(x) - x. The next x
+   is g of that combination of the last iterates, with weights of sum 1, whose combination of f is least.
+   Where the iteration alone converges slowly, or alternates, few iterates suffice.
 
    References: [1] Walker, Ni, Anderson acceleration for fixed-point iterations, 2011. */
 #include "pdas/frictionimpl.h"

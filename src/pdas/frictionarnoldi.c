@@ -1,10 +1,11 @@
-/* frictionarnoldi.c -- the spectral radius of a linear map, one number per unit, by Arnoldi's method (eq. 16.5). */
+/* frictionarnoldi.c -- the spectral radius of a linear map, one number per unit, by Arnoldi's method
+   (eq. 16.5). */
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Numbers of steps: RHO_FIRST suffice if rho is tiny, RHO_FEW if it is small or settled; RHO_STEPS is the limit. It has
-   settled if RHO_CALM steps in a row, as eigenvalues come in pairs, change it by less than RHO_SETTLES of itself or
-   RHO_DISTANT of its distance from 1: rho tells whether it is below. */
+/* Numbers of steps: RHO_FIRST suffice if rho is tiny, RHO_FEW if it is small or settled; RHO_STEPS is the
+   limit. It has settled if RHO_CALM steps in a row, as eigenvalues come in pairs, change it by less than
+   RHO_SETTLES of itself or RHO_DISTANT of its distance from 1: rho tells whether it is below. */
 enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_CALM = 2, RHO_STEPS = 24 };
 static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
 

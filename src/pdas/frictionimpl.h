@@ -60,13 +60,16 @@ PetscErrorCode FrictionUnitsCreate(const ActiveSet *set, const FrictionLaw *law,
 /* The units of all ranks, on the first one. Collective. */
 PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law, FrictionUnits *units);
 PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
-/* Decides from y and r what every unit does. Collective. [out] changed - units that do something else than before */
+/* Decides from y and r what every unit does. Collective.
+   [out] changed - units that do something else than before */
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
-/* Sets the unknowns that the decisions fix: y_n = upper of closed units, s = 0 of sticking units. Not collective. */
+/* Sets the unknowns that the decisions fix: y_n = upper of closed units, s = 0 of sticking units.
+   Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);
 /* Marks the unknowns that the decisions fix. Not collective. [out] fixed - [n] */
 void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[]);
-/* The residual of the law, in the norm of diag(A)^-1, and its reference. Collective. [in] rtol - tolerance of their ratio;
+/* The residual of the law, in the norm of diag(A)^-1, and its reference. Collective.
+   [in] rtol - tolerance of their ratio;
    [out] size - of the forces, with what makes roundoff rtol times it */
 PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal rtol, PetscReal *residual, PetscReal *size);
 /* Counts units. Collective. [out] report - slipping and sticking; [out] closed */
@@ -89,7 +92,8 @@ typedef struct {
   PetscReal *values;     /* g and f of each kept iterate [ANDERSON_DEPTH + 1][2][num] */
 } FrictionAnderson;
 
-/* Not collective. [in] num - of units of this rank; [out] anderson - to be destroyed by FrictionAndersonDestroy() */
+/* Not collective.
+   [in] num - of units of this rank; [out] anderson - to be destroyed by FrictionAndersonDestroy() */
 PetscErrorCode FrictionAndersonCreate(PetscInt num, FrictionAnderson *anderson);
 PetscErrorCode FrictionAndersonDestroy(FrictionAnderson *anderson);
 /* The next iterate. Collective. [in] x - the iterate [num]; [in,out] g - its image, the next iterate [num] */
@@ -98,12 +102,13 @@ PetscErrorCode FrictionAndersonApply(MPI_Comm comm, FrictionAnderson *anderson, 
 /* Limits of Tresca's problems instead of those that follow the pressure. Collective. [out] mu, given - the
    coefficients and bounds, owned by the caller [num] */
 PetscErrorCode FrictionUnitsBeginFixedPoint(FrictionUnits *units, PetscReal **mu, PetscReal **given);
-/* Sets the limit of every unit from its present force. Collective. [in,out] anderson - accelerates, NULL for not; [out]
-   settled - whether limits no longer change */
+/* Sets the limit of every unit from its present force. Collective.
+   [in,out] anderson - accelerates, NULL for not; [out] settled - whether limits no longer change */
 PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], const PetscReal given[],
                                    FrictionAnderson *anderson, PetscBool *settled);
 
-/* Memory for the units of the first rank; of no others. Not collective. [in] units - borrowed; [in] S - borrowed */
+/* Memory for the units of the first rank; of no others. Not collective.
+   [in] units - borrowed; [in] S - borrowed */
 PetscErrorCode FrictionProblemCreate(FrictionUnits *units, PetscScalar S[], FrictionProblem *problem);
 PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 /* r = g - S y. First rank, as all below. */
@@ -147,7 +152,8 @@ PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, co
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]
    y - initial guess */
 PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y);
-/* Steps at full size by GMRES, preconditioned by the multigrid of a FullSolver. Collective. [in] y - initial guess */
+/* Steps at full size by GMRES, preconditioned by the multigrid of a FullSolver. Collective.
+   [in] y - initial guess */
 PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y);
 
 /* Solves contact with friction: sets pdas->converged or pdas->failure, and the results of PDASGetFriction().

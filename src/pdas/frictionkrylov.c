@@ -7,8 +7,8 @@
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
-/* Reduction of the residual by a linear system: FIRST_FORCING at first; TIGHTER times that after steps that do
-   not descend, at least TIGHT_FORCING. Once decisions hold: LAST_FORCING of the tolerance, at least
+/* Reduction of the residual by a linear system: FIRST_FORCING at first; TIGHTER times that after steps that
+   do not descend, at least TIGHT_FORCING. Once decisions hold: LAST_FORCING of the tolerance, at least
    LEAST_FORCING. */
 static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5, LAST_FORCING = 0.2,
                        LEAST_FORCING = 1e-9;
@@ -18,12 +18,13 @@ static const PetscReal DESCENT = 0.9;
 /* Tolerance of coarser levels: their solution is only an initial guess. They need no rho, which costs as much
    as two steps. */
 static const PetscReal LEVEL_RTOL = 1e-5;
-/* The law's residual may have this part of the tolerance of systems: the error in the energy norm is larger. */
+/* The law's residual may have this part of the tolerance of systems: the error in the energy norm is
+   larger. */
 static const PetscReal LAW_PART = 0.1;
 /* Accuracy of the systems for rho. */
 static const PetscReal RHO_RTOL = 1e-2;
-/* The first vector for rho is smooth: the limits. Parts of it follow the direction of slip and the number of the unknown,
-   so that it is in no invariant subspace, as of symmetric scenes. */
+/* The first vector for rho is smooth: the limits. Parts of it follow the direction of slip and the number of
+   the unknown. So it is in no invariant subspace, such as those of symmetric scenes. */
 static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
 
 typedef struct {
@@ -116,8 +117,8 @@ static PetscErrorCode FrictionKrylovLoad_Private(FrictionMethod method)
 }
 
 /* Accuracy of the next system. It is higher if steps do not descend, since they may be too inexact. If
-   decisions hold it is that of the tolerance: in a plane the system is then the law itself. In space slip turns,
-   and it is that which Newton's method can use. Without contact there may be no force as reference. */
+   decisions hold it is that of the tolerance: in a plane the system is then the law itself. In space slip
+   turns, and it is that which Newton's method can use. Without contact there may be no force as reference. */
 static PetscReal FrictionKrylovForce_Private(Krylov *t, PetscReal rtol, PetscReal residual, const FrictionReport *count,
                                              const FrictionStep *step)
 {

@@ -1,4 +1,5 @@
-/* frictionlinear.c -- the linear systems of Newton steps at full size: GMRES, preconditioned by truncated multigrid.
+/* frictionlinear.c -- the linear systems of Newton steps at full size: GMRES, preconditioned by truncated
+   multigrid.
 
    The system is that of frictionsystem.c, without elimination of other unknowns. Tangential rows of slipping
    units have two more terms: the resistance to turning, and minus coefficient times the normal row. The first

@@ -13,8 +13,8 @@
 /* A step is shortened if the slope of the energy at its end is above this part of the slope at its begin.
    BISECTIONS: their number for the part. */
 static const PetscReal OVERSHOOT = 0.1;
-/* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of a shortened step: in
-   space a step passes the end of slip at a distance. */
+/* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of a
+   shortened step: in space a step passes the end of slip at a distance. */
 static const PetscReal SLIP_ENDS = 0.02;
 enum { SLOW_STEPS = 6 };
 enum { BISECTIONS = 40 };

@@ -1,4 +1,5 @@
-/* frictionunits.c -- units of contact with friction: their data, their decisions, and the residual of the law.
+/* frictionunits.c -- units of contact with friction: their data, their decisions, and the residual of the
+   law.
 
    Used for the reduced problem, with all units on one rank, and at full size, with each rank's own units. */
 #include "pdas/frictionimpl.h"

@@ -40,8 +40,9 @@ PetscErrorCode FullSolverUpdateRitz(FullSolver *t);
 /* What a solution y is compared with. The residual must be small beside the forces in the bodies: prescribed
    displacements make a large f of small forces. The error must be small beside y in the energy norm, since
    residuals say little about smooth errors. Roundoff passes both tests. Costs a product. Collective.
-   [out] work - overwritten; [in] first - |f|_D; [out] reference - size of forces; [out] energy - bound for the
-   square of the error, or NULL */
+   [out] work - overwritten;
+   [in] first - |f|_D; [out] reference - size of forces; [out] energy - bound for the square of the error, or
+   NULL */
 PetscErrorCode FullSolverMeasure(ActiveSolver solver, Vec y, Vec work, PetscReal first, PetscReal *reference,
                                  PetscReal *energy);
 

@@ -3,7 +3,8 @@
    Only public headers: the type is built on SNESSHELL, and its context is composed with the SNES. This file
    has its options, its getters, and gets the problem from a SNES; the iteration is in pdasiteration.c.
 
-   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact, 2005. */
+   References: [1] Hueber, Wohlmuth, A primal-dual active set strategy for non-linear multibody contact,
+   2005. */
 #include "base/usererror.h"
 #include "pdas/pdas.h"
 #include "pdas/frictionimpl.h"

@@ -96,9 +96,11 @@ struct _n_ActiveSolver {
   PetscErrorCode (*load)(ActiveSolver, Vec b, Vec y);
   /* All unknowns of the last solution; its r, eta and norm become those of the full system. [out] y */
   PetscErrorCode (*finish)(ActiveSolver, ActiveSolution *solution, Vec y);
-  /* d = A_FF^-1 f for the last set, F the unknowns that were not fixed; of an iterative solver its preconditioner, B f.
-     [in] f - 0 where fixed; [out] d - 0 where fixed; [out] alpha - the smallest Ritz value of B A_FF, 1 with a
-     factorization, 0 where it is not known */
+  /* d = A_FF^-1 f for the last set, F the unknowns that were not fixed; of an iterative solver its
+     preconditioner, B f.
+     [in] f - 0 where fixed;
+     [out] d - 0 where fixed; [out] alpha - the smallest Ritz value of B A_FF, 1 with a factorization, 0 where
+     it is not known */
   PetscErrorCode (*correct)(ActiveSolver, Vec f, Vec d, PetscReal *alpha);
   /* Norm and reactions of d = A_FF^-1 f for half the cost; NULL if the solver cannot. [in] f - 0 where fixed;
      [out] square - |d|_A^2; [out] felt - A d where fixed [n] */

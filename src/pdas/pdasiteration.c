@@ -112,7 +112,8 @@ static PetscErrorCode PDASIterationHolds_Private(ActiveSolver solver, const Acti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the last system was too inexact to tell which unknowns to change. [in] before - size of the set before */
+/* Whether the last system was too inexact to tell which unknowns to change.
+   [in] before - size of the set before */
 static PetscBool PDASIterationIsNoisy_Private(const PDAS *pdas, const ActiveSet *set, PetscInt before, PetscInt changed)
 {
   const PetscReal entering = 0.5 * (PetscReal)(changed + set->num_active - before);

@@ -236,7 +236,8 @@ static PetscErrorCode Measure_SchurSolver(ActiveSolver solver, Vec f, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with A itself, from which the forces come. */
+/* y_I = A_II^-1 (b_I - A_IC y_C), then corrections down to roundoff with A itself, from which the forces
+   come. */
 static PetscErrorCode Finish_SchurSolver(ActiveSolver solver, ActiveSolution *solution, Vec y)
 {
   SchurSolver *t = solver->data;

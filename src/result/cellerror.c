@@ -20,7 +20,8 @@ static const PetscReal SHARE = 1e-2;
    shrink: cutting would never end. */
 static const PetscReal NORM_ROUNDING = 1e-9;
 
-/* The two fields of a comparison: nodal values and nodal values, or nodal values and a formula for each body. */
+/* The two fields of a comparison: nodal values and nodal values, or nodal values and a formula for each
+   body. */
 typedef struct {
   Scene              scene;
   Level             *level;
@@ -65,8 +66,8 @@ static void CellErrorInterpolate_Private(const Level *level, PetscInt c, const P
   }
 }
 
-/* Strain of a displacement u with gradient g at x. Near x it is u + sum_k dx_k g_k: one "node" for the value, whose
-   shape function is 1, and one for each direction, whose shape functions are the coordinates from x. */
+/* Strain of a displacement u with gradient g at x. Near x it is u + sum_k dx_k g_k: one "node" for the value,
+   whose shape function is 1, and one for each direction, whose shape functions are the coordinates from x. */
 static void CellErrorGetStrain_Private(Scene scene, const PetscReal x[], const PetscReal u[], const PetscReal g[],
                                        PetscReal strain[])
 {

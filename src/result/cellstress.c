@@ -5,7 +5,8 @@
 
 enum { MAX_STRAINS = 6 };
 
-/* Engineering strains of a model. [in] H - gradient of the displacement [dim][dim]; [in] hoop - around the axis */
+/* Engineering strains of a model.
+   [in] H - gradient of the displacement [dim][dim]; [in] hoop - around the axis */
 static void CellStressTakeStrain_Private(PetscInt dim, PetscInt num_strains, const PetscReal H[], PetscReal hoop,
                                          PetscReal strain[])
 {

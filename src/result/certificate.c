@@ -61,7 +61,8 @@ static PetscReal CertificateRatio_Private(PetscReal violation, PetscReal size, P
   return violation == 0.0 ? 0.0 : violation / (size + roundoff / TOLERANCE);
 }
 
-/* The part of B'lambda with a rigid partner, or with another mesh that is in contact. [in] lambda - for work */
+/* The part of B'lambda with a rigid partner, or with another mesh that is in contact.
+   [in] lambda - for work */
 static PetscErrorCode CertificateDirectionPart_Private(Fields fields, PetscBool rigid, Vec lambda, Vec part)
 {
   const VI   vi = fields->vi;
@@ -80,7 +81,8 @@ static PetscErrorCode CertificateDirectionPart_Private(Fields fields, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* |B|' times the roundoff of lambda, which does not cancel where arms of ties (eq. 5.4) do. [in,out] noise - zero */
+/* |B|' times the roundoff of lambda, which does not cancel where arms of ties (eq. 5.4) do.
+   [in,out] noise - zero */
 static PetscErrorCode CertificateNodeRounding_Private(Fields fields, Vec noise)
 {
   PetscInt           begin, num;

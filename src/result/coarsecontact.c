@@ -1,10 +1,11 @@
 /* coarsecontact.c -- contact patches that are a few facets wide.
 
-   A patch that ends inside the sides has a width that is known to one facet. So is its largest pressure, which at a given
-   force is inversely proportional to the width. For the same reason the mean gap of a node may lie below every gap around
-   it (gapdiscontinuity.h). A patch that ends where both sides end has a known width: contact of a flat side is exact on
-   one facet. At the edge of a punch on a larger partner the pressure is unbounded, on any mesh. But if the punch is much
-   softer and has a right angle there, the exponent is too small to matter (wedge.h). */
+   A patch that ends inside the sides has a width that is known to one facet. So is its largest pressure,
+   which at a given force is inversely proportional to the width. For the same reason the mean gap of a node
+   may lie below every gap around it (gapdiscontinuity.h). A patch that ends where both sides end has a known
+   width: contact of a flat side is exact on one facet. At the edge of a punch on a larger partner the
+   pressure is unbounded, on any mesh. But if the punch is much softer and has a right angle there, the
+   exponent is too small to matter (wedge.h). */
 #include <math.h>
 #include "base/compat.h"
 #include "kernel/vector.h"
@@ -16,30 +17,32 @@
 
 /* Patches of at most so many nodes across are coarse. */
 static const PetscReal FEW = 3.25;
-/* Advised number of facets across the half width a. The pressure of a node is a mean around it, which is h^2 / (12 a^2)
-   below the maximum of Hertz's ellipse: 0.1 % with eight facets. The half width is known to h / 2: then the largest pressure
-   of a given force is right to 6 %. */
+/* Advised number of facets across the half width a. The pressure of a node is a mean around it, which is h^2
+   / (12 a^2) below the maximum of Hertz's ellipse: 0.1 % with eight facets. The half width is known to h / 2:
+   then the largest pressure of a given force is right to 6 %. */
 static const PetscReal ADVISED = 8;
 /* Directions nearer than 45 degrees to the narrow axis of a patch are across it. */
 static const PetscReal ACROSS = 0.70710678118654752;
-/* The mortar side is larger if it is so by more than this part of a facet. Curved sides that end together differ by less. */
+/* The mortar side is larger if it is so by more than this part of a facet. Curved sides that end together
+   differ by less. */
 static const PetscReal BEYOND_PART = 0.1;
-/* Largest exponent e of a pressure r^-e at an edge that does not matter: ten halvings of the cells raise the pressure by
-   less than a tenth, 2^(10 e) < 1.1. */
+/* Largest exponent e of a pressure r^-e at an edge that does not matter: ten halvings of the cells raise the
+   pressure by less than a tenth, 2^(10 e) < 1.1. */
 static const PetscReal EXPONENT_SHOWS = 0.01375;
 /* The vector of CoarseContactFindEnds_Private() that counts as zero, relative to the length of edges. */
 static const PetscReal CLOSED = 1e-6;
-/* Largest roundoff of a force, relative to the stiffness times the displacements: the force of bodies without contact. */
+/* Largest roundoff of a force, relative to the stiffness times the displacements: the force of bodies without
+   contact. */
 static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
-/* How a patch ends across its narrow axis: inside the nonmortar side, at an edge of that, at the end of the partner, at a
-   plane of symmetry; and the largest angle of the nonmortar body at its edges. */
+/* How a patch ends across its narrow axis: inside the nonmortar side, at an edge of that, at the end of the
+   partner, at a plane of symmetry; and the largest angle of the nonmortar body at its edges. */
 enum { IS_INNER, IS_EDGE, IS_PARTNERS, IS_MIRRORED, ANGLE, NUM_ENDS };
 enum { NODE_IN = 1, NODE_OUT = -1 }; /* in the patch; open, with a multiplier */
 
-/* Marks nodes with NODE_IN, NODE_OUT or 0. Collective. [in] at - index of the patch; [out] marks - ghosted, owned by the
-   caller */
+/* Marks nodes with NODE_IN, NODE_OUT or 0. Collective.
+   [in] at - index of the patch; [out] marks - ghosted, owned by the caller */
 static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const ContactPatches *patches, PetscInt at,
                                                 Vec *marks)
 {
@@ -60,9 +63,9 @@ static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A vector at each vertex of a side that is 0 where facets surround the vertex. At the boundary of the side it leads in
-   space from the first to the last neighbour on the boundary; in a plane it is 1 or -1. Collective. [out] ways - ghosted,
-   dim per node, owned by the caller */
+/* A vector at each vertex of a side that is 0 where facets surround the vertex. At the boundary of the side
+   it leads in space from the first to the last neighbour on the boundary; in a plane it is 1 or -1.
+   Collective. [out] ways - ghosted, dim per node, owned by the caller */
 static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *facets, Vec *ways)
 {
   const PetscInt dim = level->dim;
@@ -90,8 +93,8 @@ static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Angle of a cell at a vertex, in space half its solid angle. The sum over the cells at a vertex of a straight edge is the
-   angle of the edge. */
+/* Angle of a cell at a vertex, in space half its solid angle. The sum over the cells at a vertex of a
+   straight edge is the angle of the edge. */
 static PetscReal CoarseContactCornerAngle_Private(const Level *level, ElementType linear, const PetscInt nodes[],
                                                   PetscInt corner)
 {
@@ -222,8 +225,9 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the mortar side continues beyond the end of the nonmortar side, so that the pressure there is unbounded. Without
-   friction the angle must be large enough for that. Collective. [in] angle - of the nonmortar body at this end */
+/* Whether the mortar side continues beyond the end of the nonmortar side, so that the pressure there is
+   unbounded. Without friction the angle must be large enough for that. Collective.
+   [in] angle - of the nonmortar body at this end */
 static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *spec, PetscReal angle,
                                                   PetscBool *goes_on)
 {

@@ -13,7 +13,8 @@ typedef struct {
   PetscReal at[3];  /* its centre */
 } CoarseContact;
 
-/* Judges the patch of pair p. Contact that ends where both sides end is not coarse, nor is a tie. Collective. */
+/* Judges the patch of pair p. Contact that ends where both sides end is not coarse, nor is a tie.
+   Collective. */
 PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found);
 
 #endif

@@ -231,7 +231,8 @@ static PetscErrorCode PatchSumForces_Private(Fields fields, PetscInt p, ContactP
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moments of the forces about the centroids: each row's force acts at the centroid of its dual function. Collective. */
+/* Moments of the forces about the centroids: each row's force acts at the centroid of its dual function.
+   Collective. */
 static PetscErrorCode PatchSumMoments_Private(Fields fields, PetscInt p, ContactPatches *patches)
 {
   const VI         vi  = fields->vi;
@@ -386,7 +387,8 @@ static PetscReal PatchGetShare_Private(PetscInt num_nodes, PetscInt i)
   return num_nodes == 2 || i == 2 ? 0.5 : 0.25;
 }
 
-/* Adds a facet to the ranges and sums of a patch along its axes. [in,out] range - RANGES; sums - FACET_SUMS */
+/* Adds a facet to the ranges and sums of a patch along its axes.
+   [in,out] range - RANGES; sums - FACET_SUMS */
 static void PatchMeasureFacet_Private(const PatchNodes *nodes, PetscInt f, PetscInt at, const ContactPatch *patch,
                                       PetscReal range[], PetscReal sums[])
 {

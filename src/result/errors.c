@@ -6,13 +6,13 @@
 #include "result/pressureerror.h"
 #include "kernel/vector.h"
 
-/* Exact and given displacements may differ by this part of the largest exact one: numbers that people write have fewer
-   digits than those of the machine. */
+/* Exact and given displacements may differ by this part of the largest exact one: numbers that people write
+   have fewer digits than those of the machine. */
 static const PetscReal GIVEN_TOLERANCE = 1e-6;
 
 enum { MAX_DIM = 3 };
 
-/* --- before the solve --------------------------------------------------------------------------------------------- */
+/* --- before the solve ----------------------------------------------------------------------------------- */
 
 /* Exact displacements of this rank's nodes, 0 where none is known, and the largest of all ranks.
    [out] exact - [num_owned][dim] */
@@ -97,7 +97,7 @@ PetscErrorCode ErrorsCheck(VI vi)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- norms -------------------------------------------------------------------------------------------------------- */
+/* --- norms ---------------------------------------------------------------------------------------------- */
 
 static BodyError ErrorsSetNorms_Private(const ErrorSquares *s)
 {

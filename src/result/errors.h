@@ -28,8 +28,8 @@ typedef struct {
   BodyError      total; /* of all bodies together; NAN unless all of them have an exact displacement */
 } Errors;
 
-/* User errors: an exact displacement that contradicts the given ones; an exact solution that is not finite at a node. Call it
-   before the solve, so that no work is lost. Collective. */
+/* User errors: an exact displacement that contradicts the given ones; an exact solution that is not finite at
+   a node. Call it before the solve, so that no work is lost. Collective. */
 PetscErrorCode ErrorsCheck(VI vi);
 /* Computes the errors. User error: an exact solution is not finite at a quadrature point. Collective.
    [out] errors - owned by the caller, ErrorsDestroy() */

@@ -1,7 +1,8 @@
 /* estimatepairs.c -- what contact adds to the error estimate.
 
-   Recovery does not detect that two sides do not fit: a stiff nonmortar body has hardly any stress while its partner penetrates its coarse side. What the sides' tractions and gaps leave is taken as a half space takes a wave of the facet's size: it resists
-   a displacement of wave number k with E' k / 2, k = pi / h. */
+   Recovery does not detect that two sides do not fit: a stiff nonmortar body has hardly any stress while its
+   partner penetrates its coarse side. What the sides' tractions and gaps leave is taken as a half space takes
+   a wave of the facet's size: it resists a displacement of wave number k with E' k / 2, k = pi / h. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/frame.h"
@@ -28,7 +29,8 @@ typedef struct {
   PetscInt           most;       /* materials that meet at a node */
 } PairValues;
 
-/* The materials of owned nodes, as they are stored. Collective. [out] v - [most] per node, -1 behind the last */
+/* The materials of owned nodes, as they are stored. Collective.
+   [out] v - [most] per node, -1 behind the last */
 static PetscErrorCode PairValuesCreateMaterials_Private(Fields fields, Vec *v)
 {
   const NodeMaterials *at    = &fields->stress.at;
@@ -60,7 +62,8 @@ static PetscErrorCode PairValuesCreatePlaces_Private(Level *level, Vec *v)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Displacements, stresses and tractions at mortar nodes. Collective. [out] values - released by PairValuesRestoreMortar_Private() */
+/* Displacements, stresses and tractions at mortar nodes. Collective.
+   [out] values - released by PairValuesRestoreMortar_Private() */
 static PetscErrorCode PairValuesFetchMortar_Private(Fields fields, const Pair pair, PairValues *values)
 {
   Level *level = fields->vi->level;
@@ -207,7 +210,8 @@ static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const P
   return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
 }
 
-/* What is left of the law of friction at a point, as a square of slip: |P(q + k s) - q|^2 / k^2, P onto |q| <= g. [in] resistance - k */
+/* What is left of the law of friction at a point, as a square of slip: |P(q + k s) - q|^2 / k^2, P onto |q|
+   <= g. [in] resistance - k */
 static PetscErrorCode EstimateGetSlip_Private(const Fields fields, PetscInt p, const PointState *state,
                                               PetscReal resistance, PetscReal *squared)
 {
@@ -266,7 +270,8 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks the nodes of a pair that are in contact. Collective. [in] fields - of the solution; [out] closed - ghosted, owned by the caller */
+/* Marks the nodes of a pair that are in contact. Collective.
+   [in] fields - of the solution; [out] closed - ghosted, owned by the caller */
 static PetscErrorCode EstimateMarkClosed_Private(Fields fields, PetscInt p, Vec *closed)
 {
   PairFields   nodal;

@@ -9,8 +9,8 @@
 #include "base/compat.h"
 #include "problem/eigenstrain.h"
 
-/* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to its zero
-   tolerance of 1e-12. */
+/* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to
+   its zero tolerance of 1e-12. */
 static const PetscReal CLOSED_TOLERANCE = 1e-10;
 /* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a
    tie) cannot be told from an open node (the same limit decides which contacts hold a floating body). */
@@ -99,8 +99,8 @@ static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* int psi_a (1, x) = D_aa (1, x_a) + sum_c D_ac (1, x_c): the dual functions of removed nodes c were given to their
-   neighbours, and with them their share of the side. */
+/* int psi_a (1, x) = D_aa (1, x_a) + sum_c D_ac (1, x_c): the dual functions of removed nodes c were given to
+   their neighbours, and with them their share of the side. */
 static PetscErrorCode FieldsSetRowMoments_Private(Fields fields)
 {
   PetscFunctionBeginUser;

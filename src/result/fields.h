@@ -21,7 +21,8 @@ static inline PetscBool StatusIsContact(PetscInt status)
   return (PetscBool)(status == STATUS_CONTACT || status == STATUS_SLIP || status == STATUS_STICK);
 }
 
-/* lambda and slack are NULL where no pair has a multiplier. Arrays per row follow vi->row_pair and its companions. */
+/* lambda and slack are NULL where no pair has a multiplier. Arrays per row follow vi->row_pair and its
+   companions. */
 struct _n_Fields {
   VI          vi;        /* borrowed */
   Vec         u;         /* ghosted, dim per node */
@@ -45,10 +46,12 @@ typedef struct _n_Fields *Fields;
    some tens of products of size K_ii |u|, each with an error of one unit roundoff. */
 #define FIELDS_ROUNDOFF (64 * PETSC_MACHINE_EPSILON)
 
-/* Recovers everything from y. Collective. [in] solvability - of vi, or NULL; [out] fields - owned by the caller */
+/* Recovers everything from y. Collective.
+   [in] solvability - of vi, or NULL; [out] fields - owned by the caller */
 PetscErrorCode FieldsCreate(VI vi, Solvability solvability, Vec y, Fields *fields);
 PetscErrorCode FieldsDestroy(Fields *fields);
-/* Collective. [out] strain - strain energy of each body, 1/2 int (eps - eps_0) : C (eps - eps_0) [num_bodies];
+/* Collective.
+   [out] strain - strain energy of each body, 1/2 int (eps - eps_0) : C (eps - eps_0) [num_bodies];
    [out] potential - their sum less the work of the forces */
 PetscErrorCode FieldsEnergy(Fields fields, PetscReal strain[], PetscReal *potential);
 

@@ -188,7 +188,8 @@ PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, 
 /* What is added over nodes. */
 enum { ADD_FORCE, ADD_AREA = ADD_FORCE + 3, ADD_SLIPPING, ADD_DISSIPATION, ADD_COUNT };
 
-/* Area in contact of a pair on this rank, with nodes that supports hold along the sides: on a plane of symmetry they do not slip. */
+/* Area in contact of a pair on this rank, with nodes that supports hold along the sides: on a plane of
+   symmetry they do not slip. */
 static PetscReal FrictionSumArea_Private(Fields fields, PetscInt p, const PetscReal lambda[])
 {
   const VI  vi   = fields->vi;

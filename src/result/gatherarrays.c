@@ -2,8 +2,8 @@
 #include "result/gatherarrays.h"
 #include "base/compat.h"
 
-static PetscErrorCode Gather_Private(MPI_Comm comm, MPI_Datatype type, size_t size, PetscInt n, const void *mine,
-                                     PetscInt *total, void **all)
+static PetscErrorCode GatherArraysGather_Private(MPI_Comm comm, MPI_Datatype type, size_t size, PetscInt n,
+                                                 const void *mine, PetscInt *total, void **all)
 {
   PetscMPIInt ranks, rank, count, *counts = NULL, *starts = NULL;
 
@@ -30,7 +30,7 @@ PetscErrorCode GatherArraysReal(MPI_Comm comm, PetscInt n, const PetscReal mine[
   void *result;
 
   PetscFunctionBeginUser;
-  PetscCall(Gather_Private(comm, MPIU_REAL, sizeof(PetscReal), n, mine, total, &result));
+  PetscCall(GatherArraysGather_Private(comm, MPIU_REAL, sizeof(PetscReal), n, mine, total, &result));
   *all = (PetscReal *)result;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -40,7 +40,7 @@ PetscErrorCode GatherArraysInt(MPI_Comm comm, PetscInt n, const PetscInt mine[],
   void *result;
 
   PetscFunctionBeginUser;
-  PetscCall(Gather_Private(comm, MPIU_INT, sizeof(PetscInt), n, mine, total, &result));
+  PetscCall(GatherArraysGather_Private(comm, MPIU_INT, sizeof(PetscInt), n, mine, total, &result));
   *all = (PetscInt *)result;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

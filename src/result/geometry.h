@@ -5,7 +5,8 @@
 #include "result/compliance.h"
 #include "result/fields.h"
 
-/* Let s be the mean height of the curve outward of a facet (sagitta.h). The potential of the body within its curves is
+/* Let s be the mean height of the curve outward of a facet (sagitta.h). The potential of the body within its
+       curves is
        J = J_h + sum_e int_e W s,    W = (s* : C^-1 : s*)/2 - t.e n + q div_e u,
    to first order: s* the recovered stress, e = C^-1 s*, t the normal part of s* n, q a pressure that is
    given, div_e along the facet. Collective.

@@ -3,7 +3,7 @@
    The dual solution z of a number Q has a(v, z) = Q'(v) for all v that keep the active constraints. If Q is a
    force, z moves the active nodes by 1 along the normal. With the error e of the displacement and no change
    of the active set,
-       Q(u) - Q(u_h) = a(e, z - z_h)  <=  sum_T eta_T(u) eta_T(z)                                     (eq. 15.6). */
+       Q(u) - Q(u_h) = a(e, z - z_h)  <=  sum_T eta_T(u) eta_T(z)                         (eq. 15.6). */
 #ifndef MORTISE_GOAL_H
 #define MORTISE_GOAL_H
 

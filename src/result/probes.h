@@ -10,7 +10,8 @@ PetscErrorCode ProbesEvaluate(Fields fields, const SceneProbe *probe, PetscReal 
 /* The same at any place of a body. [out] found - whether the body has it; else numbers are 0. Collective. */
 PetscErrorCode ProbesTry(Fields fields, PetscInt body, const PetscReal at[], PetscReal u[3], PetscReal stress[6],
                          PetscBool *found);
-/* User errors: a path or a probe outside its body. Call it before the solve, so that no work is lost. Collective. */
+/* User errors: a path or a probe outside its body. Call it before the solve, so that no work is lost.
+   Collective. */
 PetscErrorCode ProbesCheck(Scene scene, Mesh mesh);
 
 #endif

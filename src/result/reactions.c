@@ -1,7 +1,8 @@
 /* reactions.c -- reactions of nodes, summed by side.
 
-   A node where a clamped side meets a plane of symmetry has one force, and two sides that hold it. Given to one of them, the sums are of
-   first order in the size of the cells there. Tractions of the recovered stress say how to split it. */
+   A node where a clamped side meets a plane of symmetry has one force, and two sides that hold it. Given to
+   one of them, the sums are of first order in the size of the cells there. Tractions of the recovered stress
+   say how to split it. */
 #include "base/compat.h"
 #include "result/cellstress.h"
 #include "result/reactions.h"

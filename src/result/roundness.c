@@ -27,7 +27,8 @@ static void RoundnessGetNormal_Private(const Level *level, const PetscInt nodes[
   for (PetscInt k = 0; k < 3; k++) n[k] /= size > 0 ? size : 1;
 }
 
-/* The largest angle between the mean normal of a node and those of the facets of a side around it, as a ghosted vector.
+/* The largest angle between the mean normal of a node and those of the facets of a side around it, as a
+   ghosted vector.
    [out] turn - owned by the caller */
 static PetscErrorCode RoundnessGetAngles_Private(VI vi, const SceneSide *side, Vec *turn)
 {

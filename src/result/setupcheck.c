@@ -43,7 +43,7 @@ static SetupExtreme SetupExtremeNone_Private(PetscReal sign)
   return (SetupExtreme){.value = sign * PETSC_MAX_REAL};
 }
 
-/* --- bodies ------------------------------------------------------------------------------------------------------- */
+/* --- bodies --------------------------------------------------------------------------------------------- */
 
 /* Scaled Jacobian of a corner: |det| of the edges that leave it, over the product of their lengths and that
    of an ideal corner. */
@@ -194,7 +194,7 @@ static PetscErrorCode SetupBodiesCompute_Private(VI vi, SetupBody bodies[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- sides -------------------------------------------------------------------------------------------------------- */
+/* --- sides ---------------------------------------------------------------------------------------------- */
 
 static void SetupSideName_Private(SetupCheck *check, PetscInt body, const char side[], int role)
 {
@@ -313,7 +313,7 @@ PetscErrorCode SetupCheckMarkNodes(VI vi, const SetupCheck *check, PetscReal **b
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- pairs -------------------------------------------------------------------------------------------------------- */
+/* --- pairs ---------------------------------------------------------------------------------------------- */
 
 static PetscErrorCode SetupPairCompute_Private(const Pair pair, SetupPair *setup)
 {

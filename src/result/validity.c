@@ -207,9 +207,9 @@ static PetscErrorCode PairStateDestroy_Private(PairState *state)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest of: normal displacements of the sides against each other, gaps that have closed, and the strain
-   times the extent of what touches, since an error of that size would be as much stress as there is.
-   Collective. */
+/* The largest of three lengths: relative normal displacements of the sides, gaps that have closed, and the
+   strain times the extent of the contact. An error of the last one would be a stress as large as the present
+   one. Collective. */
 static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, PetscReal strain, PairState *state)
 {
   const PetscInt dim = pair->level->dim;
@@ -363,7 +363,8 @@ static PetscErrorCode ValiditySetHomogeneous_Private(Fields fields, Validity v)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The indicators, which are computed once for each solution. Collective. [out] validity - borrowed from the fields */
+/* The indicators, which are computed once for each solution. Collective.
+   [out] validity - borrowed from the fields */
 static PetscErrorCode ValidityGet_Private(Fields fields, Validity *validity)
 {
   const VI  vi = fields->vi;

@@ -1,12 +1,14 @@
-/* boundedfriction.c -- whether friction with given bounds holds bodies that cones alone do not.
+/* boundedfriction.c -- whether friction with given bounds holds the bodies.
 
-   Forces of bounded friction are f with |f_a| <= G_a. Their work on a motion q is sum f_a.s_a(q), at most h(q) = sum G_a |s_a(q)|.
-   A motion with C q <= 0 and phi.q > h(q) proves that there is no equilibrium. It is the residual of
+   Forces of bounded friction are f with |f_a| <= G_a. Their work on a motion q is sum f_a.s_a(q), at most
+   h(q) = sum G_a |s_a(q)|. A motion with C q <= 0 and phi.q > h(q) proves that there is no equilibrium. It is
+   the residual of
 
        min | (phi, 1) - sum_j y_j (c_j, 0) - sum_k z_k (v_k, 1) |,   y, z >= 0,
 
-   where v_k are the works of forces at their bounds, along the slips of the residual before. This finds the point of a convex set
-   nearest to a given point, from points of its boundary. A search that ends early finds no motion. */
+   where v_k are the works of forces at their bounds, along the slips of the residual before. This finds the
+   point of a convex set nearest to a given point, from points of its boundary. A search that ends early finds
+   no motion. */
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "problem/frictionlaw.h"
@@ -15,9 +17,10 @@
 /* Largest number of points of the boundary: few bodies need few. A search that needs more refuses nothing. */
 enum { MOST_POINTS = 64 };
 
-/* Least difference of the works of loads and of friction that refuses a scene, as a part of the largest work. */
+/* Least difference of the works of loads and of friction that refuses a scene, as a part of the largest
+   work. */
 static const PetscReal SURPLUS = 1e-9;
-/* Rounding of the residual along a column. */
+/* Roundoff of the residual along a column. */
 static const PetscReal COLUMN_ROUNDING = 1e-13;
 
 /* The search: columns of m + 1 entries. */
@@ -38,8 +41,8 @@ static PetscBool BoundedFrictionIsAny_Private(VI vi)
   return any;
 }
 
-/* The work of friction at its bounds against a motion. Collective. [in] take - modes of the motion; [out] point - [m]; [out] h -
-   the work */
+/* The work of friction at its bounds against a motion. Collective.
+   [in] take - modes of the motion; [out] point - [m]; [out] h - the work */
 static PetscErrorCode BoundedFrictionGetPoint_Private(const BoundedSearch *search, const PetscBool take[],
                                                       const PetscReal q[], PetscReal point[], PetscReal *h)
 {
@@ -73,7 +76,8 @@ static PetscErrorCode BoundedFrictionGetPoint_Private(const BoundedSearch *searc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Columns of all cones, in chosen modes, without tangents with a bound. [out] search - columns owned by the caller */
+/* Columns of all cones, in chosen modes, without tangents with a bound.
+   [out] search - columns owned by the caller */
 static PetscErrorCode BoundedSearchCreate_Private(VI vi, Solvability s, const PetscBool take[], BoundedSearch *search)
 {
   const PetscInt m = s->m, n = m + 1;
@@ -110,7 +114,8 @@ static PetscErrorCode BoundedSearchAddPoint_Private(BoundedSearch *search, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The residual of the least squares problem with the present points. [in] target - [m + 1]; [out] residual - [m + 1], norm - of it */
+/* The residual of the least squares problem with the present points.
+   [in] target - [m + 1]; [out] residual - [m + 1], norm - of it */
 static PetscErrorCode BoundedSearchSolve_Private(const BoundedSearch *search, const PetscReal target[],
                                                  PetscReal residual[], PetscReal *norm)
 {

@@ -1,7 +1,8 @@
 /* cone.c -- least squares over distributed rows: the rank with the best next row broadcasts it.
 
-   Projection: with s = q - target the problem is to find the shortest s with row.s <= bound - row.target =: h. With r the residual of
-   min | sum_i y_i (row_i, -h_i) - (0, .., 0, 1) |, y >= 0, the solution is s_k = r_k / r_(m+1) up to sign [1, 23.27].
+   Projection: with s = q - target the problem is to find the shortest s with row.s <= bound - row.target =:
+   h. With r the residual of min | sum_i y_i (row_i, -h_i) - (0, .., 0, 1) |, y >= 0, the solution is s_k =
+   r_k / r_(m+1) up to sign [1, 23.27].
 
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, problem LDP. */
 #include "base/compat.h"
@@ -10,14 +11,17 @@
 
 /* Eigenvalues of C'C below this part of the largest count as 0. They are squares of ratios of lengths. */
 static const PetscReal CONE_RANK = 1e-12;
-/* Entries of a kernel below this are rounding. */
+/* Entries of a kernel below this are roundoff. */
 static const PetscReal CONE_NEGLIGIBLE = 1e-9;
-/* Smallest pivot of a basis of rows of length 1. Small rows of C that are not rounding determine motions to 1e-6 only. */
+/* Smallest pivot of a basis of rows of length 1. Small rows of C above roundoff determine motions to 1e-6
+   only. */
 static const PetscReal CONE_PIVOT = 1e-4;
-/* Projection: rows enter while the residual along them exceeds this; its last component is between 0 and 1. */
+/* Projection: rows enter while the residual along them exceeds this; its last component is between 0 and
+   1. */
 static const PetscReal CONE_PRICE = 1e-14;
 
-/* The largest reduced cost of the rows of this rank. [out] row - of it, -1 for none; [out] sign - of its weight */
+/* The largest reduced cost of the rows of this rank.
+   [out] row - of it, -1 for none; [out] sign - of its weight */
 static PetscReal ConeFindBestRow_Private(const Cone *cone, const NNLS *nnls, PetscInt *row, PetscReal *sign)
 {
   PetscReal best = 0;
@@ -74,7 +78,8 @@ PetscErrorCode ConeSolve(const Cone *cone, PetscReal tolerance, NNLS *nnls, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gauss-Jordan elimination: each row of a basis gets a pivot column of its own. [in,out] rows - independent [n][m] */
+/* Gauss-Jordan elimination: each row of a basis gets a pivot column of its own.
+   [in,out] rows - independent [n][m] */
 static void ConeReduceBasis_Private(PetscInt n, PetscInt m, PetscReal rows[])
 {
   PetscInt done = 0;

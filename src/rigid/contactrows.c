@@ -1,9 +1,10 @@
 /* contactrows.c -- the constraints of contact on rigid motions, at the points where bodies can touch.
 
-   A row of B acts at its node: psi reproduces linear functions, so int psi n.u of a rigid motion is D_aa n.u(x_a). This holds even
-   where the partner ends within a facet and x_a is outside it; psi then changes sign on the covered part. But the bodies touch only
-   up to the end of the partner. So rows of nodes of partly covered facets are replaced by n.[u] at the corners of the covered
-   part. Pairs with friction keep their nodes, where the cones of their forces are. */
+   A row of B acts at its node: psi reproduces linear functions, so int psi n.u of a rigid motion is D_aa
+   n.u(x_a). This holds even where the partner ends within a facet and x_a is outside it; psi then changes
+   sign on the covered part. But the bodies touch only up to the end of the partner. So rows of nodes of
+   partly covered facets are replaced by n.[u] at the corners of the covered part. Pairs with friction keep
+   their nodes, where the cones of their forces are. */
 #include "base/compat.h"
 #include "rigid/rigidimpl.h"
 
@@ -27,7 +28,8 @@ static PetscBool ContactRowsHasCorners_Private(const Pair pair)
   return (PetscBool)(pair->spec->type != PAIR_TIED && !ScenePairHasFriction(pair->spec));
 }
 
-/* Corners of the overlap boundary of the pairs that have forces there, on this rank. [out] out - the corners, NULL to count them */
+/* Corners of the overlap boundary of pairs with forces there, on this rank.
+   [out] out - the corners, NULL to count them */
 static PetscInt ContactRowsListCorners_Private(VI vi, const OverlapBoundary *out[])
 {
   PetscInt num = 0;
@@ -67,8 +69,8 @@ static PetscErrorCode ContactRowsAddCorners_Private(VI vi, PetscInt num, Contact
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets rows at nodes, or at the overlap boundary for nodes outside it. Collective. [in] of - row of nodal for each row, NULL if
-   they are the same; [out] rows - allocated by the caller */
+/* Sets rows at nodes, or at the overlap boundary for nodes outside it. Collective.
+   [in] of - row of nodal for each row, NULL if they are the same; [out] rows - allocated by the caller */
 static PetscErrorCode ContactRowsMoveToCorners_Private(VI vi, const ContactRows *nodes, const PetscInt of[],
                                                        ContactRows *rows)
 {

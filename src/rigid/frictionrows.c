@@ -1,8 +1,9 @@
 /* frictionrows.c -- the forces of contact with friction on rigid motions (eq. 16.7).
 
-   Forces at a node with friction are in the cone |r_t| <= coefficient r_n. In a plane its two edges generate it. In space a pyramid
-   around the cone takes its place: loads outside all pyramids have no equilibrium, loads inside may have one. Tresca's limit gives
-   no cone: here its tangents can carry any force, as ties do; boundedfriction.c tests their bounds. */
+   Forces at a node with friction are in the cone |r_t| <= coefficient r_n. In a plane its two edges generate
+   it. In space a pyramid around the cone takes its place: loads outside all pyramids have no equilibrium,
+   loads inside may have one. Tresca's limit gives no cone: here its tangents can carry any force, as ties do;
+   boundedfriction.c tests their bounds. */
 #include "base/compat.h"
 #include "problem/frictionlaw.h"
 #include "rigid/rigidimpl.h"

@@ -1,15 +1,16 @@
 /* minimumnorm.c -- the solution of least mean square displacement (eq. 12.7).
 
-   Strains and pressures of a solution are unique. Displacements are unique up to motions that keep pressed contacts closed and give
-   no overlap elsewhere. Over these motions, the mean square displacement of floating bodies has one minimum: a quadratic problem
-   with one unknown for each free motion and the remaining gaps as constraints. */
+   Strains and pressures of a solution are unique. Displacements are unique up to motions that keep pressed
+   contacts closed and give no overlap elsewhere. Over these motions, the mean square displacement of floating
+   bodies has one minimum. This is a quadratic problem with one unknown for each free motion and the remaining
+   gaps as constraints. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "rigid/rigidimpl.h"
 
 /* A contact is pressed if its pressure exceeds this part of the largest. */
 static const PetscReal PRESSED = 1e-9;
-/* Rounding of a force, in parts of stiffness times displacement. */
+/* Roundoff of a force, in parts of stiffness times displacement. */
 static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
 enum { MAX_DIM = 3 };
@@ -130,8 +131,8 @@ static void MinimumNormSubstitute_Private(PetscInt n, const PetscReal L[], Petsc
   }
 }
 
-/* The free motion N's that brings u nearest to zero without penetration. In w = L's, with LL' = N M N' of the mass M, it is the
-   projection of -L^-1 N work onto a polyhedron. [in] kernel - N [n][m]; [out] q - [m] */
+/* The free motion N's that brings u nearest to zero without penetration. In w = L's, with LL' = N M N' of the
+   mass M, it is the projection of -L^-1 N work onto a polyhedron. [in] kernel - N [n][m]; [out] q - [m] */
 static PetscErrorCode MinimumNormSolve_Private(const Cone *cone, const MinimumNorm *problem, PetscInt n,
                                                const PetscReal kernel[], PetscReal q[])
 {
@@ -173,7 +174,7 @@ static PetscErrorCode MinimumNormSolve_Private(const Cone *cone, const MinimumNo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest change of a closed gap by a motion: rounding, unless contact hardly resists the motion.
+/* The largest change of a closed gap by a motion: roundoff, unless contact hardly resists the motion.
    [in] take - pressed rows [num]; [in] q - [m] */
 static PetscErrorCode MinimumNormGetSlip_Private(const Cone *cone, const PetscBool take[], const PetscReal q[],
                                                  PetscReal *slip)
@@ -190,7 +191,7 @@ static PetscErrorCode MinimumNormGetSlip_Private(const Cone *cone, const PetscBo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the free motions, which the pressures decide. */
+/* Sets the free motions, which depend on the pressures. */
 static PetscErrorCode MinimumNormSetFreeMotions_Private(VI vi, Solvability s, PetscInt n, const PetscReal kernel[])
 {
   PetscFunctionBeginUser;

@@ -1,7 +1,8 @@
 /* nearnullspace.c -- rigid body modes as near null space.
 
-   Smoothed aggregation needs the modes of each body as separate vectors. In the unknowns y, a mode is y = T^-1 u: u~ = S^-1 u at
-   ordinary nodes, F u~ at nodes with a frame, and (B u)_row / D_row where a row of B is an unknown. */
+   Smoothed aggregation needs the modes of each body as separate vectors. In the unknowns y, a mode is y =
+   T^-1 u: u~ = S^-1 u at ordinary nodes, F u~ at nodes with a frame, and (B u)_row / D_row where a row of B
+   is an unknown. */
 #include "base/compat.h"
 #include "base/log.h"
 #include "rigid/nearnullspace.h"
@@ -9,9 +10,10 @@
 /* A vector shorter than this share of its first length depends linearly on the ones before it. */
 static const PetscReal DEPENDENT_MODE = 1e-8;
 
-/* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. Those of a plane serve
-   axisymmetric bodies as well: away from the axis the hoop strain costs little. [in,out] u - ghosted */
-static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, PetscInt mode, Vec u)
+/* u of one rigid motion of a body: translations first, then rotations about the origin of coordinates. Those
+   of a plane serve axisymmetric bodies as well: away from the axis the hoop strain costs little.
+   [in,out] u - ghosted */
+static PetscErrorCode NearNullSpaceSetMotion_Private(const Level *level, PetscInt body, PetscInt mode, Vec u)
 {
   const PetscInt dim = level->dim;
   PetscScalar   *ua;
@@ -35,7 +37,7 @@ static PetscErrorCode SetMotion_Private(const Level *level, PetscInt body, Petsc
 }
 
 /* Orthonormalizes a vector against those before, and drops it if it depends on them: its body is fixed. */
-static PetscErrorCode Orthonormalize_Private(PetscInt *num, Vec vectors[])
+static PetscErrorCode NearNullSpaceOrthonormalize_Private(PetscInt *num, Vec vectors[])
 {
   PetscReal   before, after;
   PetscScalar dot;
@@ -69,12 +71,12 @@ PetscErrorCode NearNullSpaceAttach(VI vi)
   PetscCall(VecDuplicateVecs(vi->upper, max, &vectors));
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
     for (PetscInt mode = 0; mode < per_body; mode++) {
-      PetscCall(SetMotion_Private(vi->level, b, mode, u));
+      PetscCall(NearNullSpaceSetMotion_Private(vi->level, b, mode, u));
       PetscCall(VIApplyInverseBasis(vi, u, vectors[num]));
       PetscCall(VecGetArray(vectors[num], &ya));
       for (PetscInt i = 0; i < vi->num_fixed; i++) ya[vi->fixed_local[i]] = 0;
       PetscCall(VecRestoreArray(vectors[num], &ya));
-      PetscCall(Orthonormalize_Private(&num, vectors));
+      PetscCall(NearNullSpaceOrthonormalize_Private(&num, vectors));
     }
   }
   PetscCall(MatNullSpaceCreate(vi->level->comm, PETSC_FALSE, num, vectors, &space));

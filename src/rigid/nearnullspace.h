@@ -4,8 +4,8 @@
 
 #include "problem/vi.h"
 
-/* Attaches to vi->A, as near null space, the rigid body modes of every body in the unknowns y: orthonormal, zero at fixed unknowns.
-   Collective. */
+/* Attaches to vi->A, as near null space, the rigid body modes of every body in the unknowns y: orthonormal,
+   zero at fixed unknowns. Collective. */
 PetscErrorCode NearNullSpaceAttach(VI vi);
 
 #endif

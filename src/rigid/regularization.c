@@ -1,21 +1,23 @@
 /* regularization.c -- a diagonal that makes the matrix definite where only contact holds bodies (eq. 12.6).
 
-   Small stiffnesses are added at a few nodes of each floating component, as far from each other as possible. They resist every rigid
-   body mode, but hardly change the stiffness of the component. They are not part of the problem: the proximal point iteration of
-   solve removes their effect. */
+   Small stiffnesses are added at a few nodes of each floating component, as far from each other as possible.
+   They resist every rigid body mode, but hardly change the stiffness of the component. They are not part of
+   the problem: the proximal point iteration of solve removes their effect. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "rigid/rigidimpl.h"
 
-/* Added stiffness relative to that of bodies. The error of each proximal step falls by this factor; the condition number of the
-   matrix is at least its inverse. */
+/* Added stiffness relative to that of bodies. The error of each proximal step falls by this factor; the
+   condition number of the matrix is at least its inverse. */
 static const PetscReal REGULARIZATION = 1e-6;
-/* Loads move bodies towards a target this many times farther than the largest gap, as far as contact permits. */
+/* Loads move bodies towards a target this many times farther than the largest gap, as far as contact
+   permits. */
 static const PetscReal TARGET_DISTANCE = 1e3;
 /* Remaining gaps below this part of the largest gap, or of the expected displacement, count as closed. */
 static const PetscReal GAP_CLOSED = 1e-9;
 
-/* Nodes of this rank that may carry regularization: those with Cartesian unknowns, unless a component has too few of them. */
+/* Nodes of this rank that may carry regularization: those with Cartesian unknowns, unless a component has too
+   few of them. */
 static PetscErrorCode RegularizationMarkCandidates_Private(VI vi, PetscBool candidate[])
 {
   const Level   *level      = vi->level;
@@ -37,9 +39,9 @@ static PetscErrorCode RegularizationMarkCandidates_Private(VI vi, PetscBool cand
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The candidate farthest from all chosen nodes, in each component. [in] distance - of each candidate to them, -1 for other nodes
-   [num_owned]; [out] places - of the new nodes [pieces->num][3]; [out] taken - local numbers of the new nodes, -1 on other ranks
-   [pieces->num] */
+/* The candidate farthest from all chosen nodes, in each component.
+   [in] distance - of each candidate to them, -1 for other nodes [num_owned]; [out] places - of the new nodes
+   [pieces->num][3]; [out] taken - local numbers of the new nodes, -1 on other ranks [pieces->num] */
 static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, const Components *pieces,
                                                          const PetscReal distance[], PetscReal places[],
                                                          PetscInt taken[])
@@ -77,9 +79,10 @@ static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body that pairs connect to it: contact with that
-   body is no stiffer. The diagonal of a nearly incompressible body has the bulk modulus, but contact resists by the shear modulus.
-   Without their ratio, at Poisson's ratio 0.4999, the iteration takes three times as many steps. [out] weak - [num_bodies] */
+/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body in a pair with it:
+   contact with that body is no stiffer. The diagonal of a nearly incompressible body has the bulk modulus,
+   but contact resists by the shear modulus. Without their ratio, at Poisson's ratio 0.4999, the iteration
+   takes three times as many steps. [out] weak - [num_bodies] */
 static PetscErrorCode RegularizationGetStiffness_Private(VI vi, PetscReal weak[])
 {
   const Level       *level = vi->level;
@@ -156,7 +159,8 @@ static PetscErrorCode RegularizationSetDiagonal_Private(VI vi, Vec diagonal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moves bodies rigidly until they touch, as far as the loads drive them: the iteration would close wide gaps slowly.
+/* Moves bodies rigidly until they touch, as far as the loads drive them: the iteration would close wide gaps
+   slowly.
    [out] left - remaining gap of each row, overlaps unchanged [num_rows]; [out] largest - initial gap */
 static PetscErrorCode RegularizationSetApproach_Private(VI vi, Solvability s, PetscReal left[], PetscReal *largest)
 {

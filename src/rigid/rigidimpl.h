@@ -1,4 +1,4 @@
-/* rigidimpl.h -- what the files of this module share. */
+/* rigidimpl.h -- declarations that the files of this module share. */
 #ifndef MORTISE_RIGIDIMPL_H
 #define MORTISE_RIGIDIMPL_H
 
@@ -17,16 +17,18 @@ Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
 PetscErrorCode FrictionRowsCreate(VI vi, Solvability solvability);
 /* The same for other coefficients. Not collective. */
 PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability);
-/* Rows that resist rigid motions where contacts are pressed: tangents beside normals. [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
+/* Rows that resist rigid motions where contacts are pressed: tangents beside normals.
+   [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool pressed[], PetscReal rows[]);
 /* Upper bound of friction.num; without friction the number of rows. Not collective. */
 PetscInt       FrictionRowsCountMost(VI vi);
 PetscErrorCode FrictionRowsDestroy(Solvability solvability);
 
-/* Searches, in chosen modes, a motion that contact does not resist and on which loads do more work than friction at its bounds. Such
-   a motion proves that there is no equilibrium; without one, there may be an equilibrium or not. Collective.
-   [in] phi - work of the loads / their sum [m]; [in] balanced - rounding of phi; [in] take - chosen modes [m]; [out] q - the
-   motion, if found [m] */
+/* Searches, in chosen modes, a motion that contact does not resist and on which loads do more work than
+   friction at its bounds. Such a motion proves that there is no equilibrium; without one, there may be an
+   equilibrium or not. Collective.
+   [in] phi - work of the loads / their sum [m];
+   [in] balanced - rounding of phi; [in] take - chosen modes [m]; [out] q - the motion, if found [m] */
 PetscErrorCode BoundedFrictionFindMotion(VI vi, Solvability solvability, const PetscReal phi[], PetscReal balanced,
                                          const PetscBool take[], PetscReal q[], PetscBool *found);
 
@@ -35,7 +37,8 @@ PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);
 /* Sets approach and start anew. Collective. */
 PetscErrorCode RegularizationUpdate(VI vi, Solvability solvability);
 
-/* Adds the relative displacement of the two sides at a point. Not collective. [in] q - [m]; [in,out] slip - [3] */
+/* Adds the relative displacement of the two sides at a point. Not collective.
+   [in] q - [m]; [in,out] slip - [3] */
 void SceneMotionAddSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);
 /* The same for one mode, k, times a factor. */
 void SceneMotionAddSlipOfMode(VI vi, const ContactPlace *place, PetscInt k, PetscReal factor, PetscReal slip[]);

@@ -4,9 +4,10 @@
 #include "kernel/vector.h"
 #include "rigid/rigidimpl.h"
 
-/* Components of a motion below this part of the largest are rounding, and are omitted. */
+/* Components of a motion below this part of the largest are roundoff, and are omitted. */
 static const PetscReal MOTION_ROUNDING = 1e-8;
-/* A motion opens a contact, or slides, if it does so by more than this part of its size; sizes that differ from 1 by less are not stated. */
+/* A motion opens a contact, or slides, if it does so by more than this part of its size; sizes that differ
+   from 1 by less are not stated. */
 static const PetscReal MOTION_SMALL = 1e-6;
 
 /* How a motion changes the contacts of a component. */
@@ -64,7 +65,8 @@ static void SceneMotionSetAxis_Private(const PetscReal frame[], const PetscReal 
   }
 }
 
-/* Finds how q changes the contacts of each component. Collective. [out] contacts - sums of HAS_CONTACT and so on [pieces.num];
+/* Finds how q changes the contacts of each component. Collective.
+   [out] contacts - sums of HAS_CONTACT and so on [pieces.num];
    [out] nodes - number of nodes with a multiplier that act on the component [pieces.num] */
 static PetscErrorCode SceneMotionFindContacts_Private(VI vi, Solvability s, const PetscReal q[], PetscReal size,
                                                       PetscInt contacts[], PetscInt nodes[])
@@ -158,7 +160,8 @@ static void SceneMotionSetName_Private(VI vi, PetscInt piece, BodyMotion *motion
   }
 }
 
-/* The part of the sentence for one component. Contact nodes that no part of the motion opens or closes slide, or stay where they are.
+/* The part of the sentence for one component. Contact nodes that no part of the motion opens or closes slide,
+   or stay where they are.
    [in] contacts, nodes - of SceneMotionFindContacts_Private() */
 static void SceneMotionPrintBody_Private(VI vi, const BodyMotion *motion, PetscInt contacts, PetscInt nodes,
                                          char text[], size_t len)

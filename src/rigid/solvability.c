@@ -1,12 +1,15 @@
 /* solvability.c -- whether the loads do work on a rigid motion that nothing resists.
 
-   The work of the loads on rigid motions decides existence [1, 2]. The energy of the discrete problem is quadratic, so a minimum exists
-   exactly if the energy is bounded below [3]: if phi.q <= 0 wherever C q <= 0. Gaps do not matter: they shift the admissible motions,
-   but do not change their recession directions. Let rho be the residual of the least squares problem C'y = phi, y >= 0. If rho is zero, y
-   are contact forces that balance the loads; otherwise rho is a motion that nothing resists (nnls.h).
+   The work of the loads on rigid motions decides existence [1, 2]. The energy of the discrete problem is
+   quadratic, so a minimum exists exactly if the energy is bounded below [3]: if phi.q <= 0 wherever C q <= 0.
+   Gaps do not matter: they shift the admissible motions, but do not change their recession directions. Let
+   rho be the residual of the least squares problem C'y = phi, y >= 0. If rho is zero, y are contact forces
+   that balance the loads; otherwise rho is a motion that nothing resists (nnls.h).
 
-   References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of elasticity with
-               unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming, 1956. */
+   References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of
+   elasticity with
+               unilateral constraints, 1972. [3] Frank, Wolfe, An algorithm for quadratic programming,
+   1956. */
 #include "base/compat.h"
 #include "base/log.h"
 #include "kernel/dense.h"
@@ -14,7 +17,8 @@
 
 /* Loads are in balance if the residual is below this part of the sum of forces. */
 static const PetscReal BALANCED = 1e-10;
-/* The same where two curved surfaces meet: a mesh gives their common normal to a few digits only. Half of the certificate's limit. */
+/* The same where two curved surfaces meet: a mesh gives their common normal to a few digits only. Half of the
+   certificate's limit. */
 static const PetscReal BALANCED_CURVED = 5e-7;
 /* Surfaces whose normals differ by more are curved. */
 static const PetscReal CURVED = 1e-6;
@@ -26,8 +30,8 @@ static const PetscReal RESIDUAL_ROUNDING = 1e-13;
 static const PetscReal PERTURBATION = 1e-6;
 /* ... by at least this distance. */
 static const PetscReal OUTSIDE = 1e-11;
-/* A motion that opens no contact by more than this part of its size is a free motion. On curved sides, rows that have taken over
-   those of removed nodes are not more accurate. */
+/* A motion that opens no contact by more than this part of its size is a free motion. On curved sides, rows
+   that have taken over those of removed nodes are not more accurate. */
 static const PetscReal OPENING = 1e-3;
 
 /* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
@@ -134,8 +138,9 @@ static PetscErrorCode SolvabilitySetPlaces_Private(VI vi, Solvability s)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The residual of phi in the cone of the rows, restricted to chosen modes. [in] phi - work / forces; [in] take - chosen modes, NULL for
-   all [m]; [out] rho - [m]; [out] weight - of the rows, or NULL; [out] norm - of rho */
+/* The residual of phi in the cone of the rows, restricted to chosen modes.
+   [in] phi - work / forces; [in] take - chosen modes, NULL for all [m]; [out] rho - [m]; [out] weight - of
+   the rows, or NULL; [out] norm - of rho */
 static PetscErrorCode SolvabilityProjectLoads_Private(const Cone *cone, const PetscReal phi[], const PetscBool take[],
                                                       PetscReal rho[], PetscReal weight[], PetscReal *norm)
 {
@@ -162,8 +167,8 @@ static PetscErrorCode SolvabilityProjectLoads_Private(const Cone *cone, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds free motions to q so that closed contacts slide least: then a body that tips rotates about its edge. The sum of squares of
-   the slips is a quadratic form of the free part. [in,out] q - [m] */
+/* Adds free motions to q so that closed contacts slide least: then a body that tips rotates about its edge.
+   The sum of squares of the slips is a quadratic form of the free part. [in,out] q - [m] */
 static PetscErrorCode SolvabilityMinimizeSlip_Private(VI vi, const Cone *cone, const ContactPlace place[],
                                                       PetscReal q[])
 {
@@ -245,7 +250,8 @@ static PetscErrorCode SolvabilitySetUnresistedMotion_Private(VI vi, const Cone *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a motion opens contacts and moves a loaded component. Collective. [in,out] opens - set for rows that it opens [cone->num] */
+/* Whether a motion opens contacts and moves a loaded component. Collective.
+   [in,out] opens - set for rows that it opens [cone->num] */
 static PetscErrorCode SolvabilityMovesLoads_Private(VI vi, const Cone *cone, const PetscReal phi[], const PetscReal q[],
                                                     PetscBool opens[], PetscBool *loads)
 {
@@ -272,8 +278,9 @@ static PetscErrorCode SolvabilityMovesLoads_Private(VI vi, const Cone *cone, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets SOLVABLE_MARGINAL if balanced loads lie on the boundary of the cone. Then a small step away from the middle of the cone leaves it,
-   along a motion that opens contacts at no cost. Motions of bodies without loads do not count. */
+/* Sets SOLVABLE_MARGINAL if balanced loads lie on the boundary of the cone. Then a small step away from the
+   middle of the cone leaves it, along a motion that opens contacts at no cost. Motions of bodies without
+   loads do not count. */
 static PetscErrorCode SolvabilityFindMarginalMotion_Private(VI vi, const Cone *cone, const PetscReal phi[],
                                                             Solvability s)
 {
@@ -315,8 +322,8 @@ static PetscErrorCode SolvabilityFindMarginalMotion_Private(VI vi, const Cone *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Residual below which loads count as balanced. Between two curved surfaces normals are known to a few digits only, and so is the residual
-   along a motion that they hardly resist. Collective. */
+/* Residual below which loads count as balanced. Between two curved surfaces normals have a few digits only,
+   and so has the residual along a motion that they hardly resist. Collective. */
 static PetscErrorCode SolvabilityChooseTolerance_Private(VI vi, PetscReal *balanced)
 {
   const PetscInt dim = vi->level->dim;
@@ -342,8 +349,9 @@ static PetscErrorCode SolvabilityChooseTolerance_Private(VI vi, PetscReal *balan
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Subtracts from the loads their residual outside the cone, which is more than rounding only between curved surfaces. No solution could carry
-   it, and the proximal point iteration would not converge. It stays in the uncondensed KKT system, so the certificate sees it.
+/* Subtracts from the loads their residual outside the cone, which is more than rounding only between curved
+   surfaces. No solution could carry it, and the proximal point iteration would not converge. It stays in the
+   uncondensed KKT system, and so in the certificate.
    [in] rho - residual of the loads [m] */
 static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, const PetscReal rho[])
 {
@@ -369,7 +377,8 @@ static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Modes of the bodies that the motion moves. Collective. [out] take - [m]; [out] rubs - whether they slide with friction */
+/* Modes of the bodies that the motion moves. Collective.
+   [out] take - [m]; [out] rubs - whether they slide with friction */
 static PetscErrorCode SolvabilityTakeMoved_Private(VI vi, const struct _n_Solvability *s, PetscBool take[],
                                                    PetscBool *rubs)
 {
@@ -389,10 +398,10 @@ static PetscErrorCode SolvabilityTakeMoved_Private(VI vi, const struct _n_Solvab
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* With friction: replaces the motion by that of the same bodies without friction, which friction is too small to resist, or just
-   large enough. A motion against which no force of the cones does work would open all contacts. The motion stays if friction
-   resists all translations: a tall body tips, but would slide without friction. [in] phi - work / forces; [in] balanced - as of
-   SolvabilityChooseTolerance_Private() */
+/* With friction: replaces the motion by that of the same bodies without friction, which friction is too small
+   to resist, or just large enough. A motion against which no force of the cones does work would open all
+   contacts. The motion stays if friction resists all translations: a tall body tips, but would slide without
+   friction. [in] phi - work / forces; [in] balanced - as of SolvabilityChooseTolerance_Private() */
 static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal phi[], PetscReal balanced,
                                                           Solvability s)
 {
@@ -427,8 +436,8 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets SOLVABLE_NOT where friction with given bounds, for which cones are as for ties, cannot hold the loads. [in] phi - work /
-   forces */
+/* Sets SOLVABLE_NOT where friction with given bounds, for which cones are as for ties, cannot hold the loads.
+   [in] phi - work / forces */
 static PetscErrorCode SolvabilityTryBounds_Private(VI vi, const PetscReal phi[], PetscReal balanced, Solvability s)
 {
   PetscBool *take, found = PETSC_FALSE;
@@ -451,8 +460,8 @@ static PetscErrorCode SolvabilityTryBounds_Private(VI vi, const PetscReal phi[],
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the status as far as it is known before the solve, and the forces that balance the loads. Balance is needed at the nodes and at
-   the overlap boundary. */
+/* Sets the status as far as it is known before the solve, and the forces that balance the loads. Balance is
+   needed at the nodes and at the overlap boundary. */
 static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
 {
   const ContactRows *rows = vi->friction ? &s->friction : &s->nodal;
@@ -541,7 +550,7 @@ PetscErrorCode SolvabilityUpdate(VI vi, Solvability s)
   PetscCall(PetscArrayzero(s->balance, vi->num_rows));
   PetscCall(SolvabilitySetLoads_Private(vi, s));
   PetscCall(FrictionRowsUpdate(vi, s));
-  if (vi->friction) PetscCall(ContactRowsUpdate(vi, s)); // its coefficients may have changed
+  if (vi->friction) PetscCall(ContactRowsUpdate(vi, s)); // coefficients may have changed
   PetscCall(SolvabilityDecide_Private(vi, s));
   if (s->status != SOLVABLE_NOT)
     PetscCall(s->regularization ? RegularizationUpdate(vi, s) : RegularizationCreate(vi, s));

@@ -1,8 +1,10 @@
-/* solvability.h -- bodies that only contact can hold: whether a solution exists, and which motions stay free (eqs. 12.1-12.7).
+/* solvability.h -- bodies that only contact can hold: whether a solution exists, and which motions stay free
+   (eqs. 12.1-12.7).
 
-   The columns z_k of Z are the rigid body modes that supports leave. Contact permits a motion Z q where C q <= 0, one row for each row of
-   B; ties require C q = 0. phi = Z'f is the work of the loads on the modes. A solution exists exactly if phi.q <= 0 for all permitted q.
-   By Farkas' lemma this holds exactly if phi = C'y with y >= 0: contact forces balance the loads. */
+   The columns z_k of Z are the rigid body modes that supports leave. Contact permits a motion Z q where C q
+   <= 0, one row for each row of B; ties require C q = 0. phi = Z'f is the work of the loads on the modes. A
+   solution exists exactly if phi.q <= 0 for all permitted q. By Farkas' lemma this holds exactly if phi = C'y
+   with y >= 0: contact forces balance the loads. */
 #ifndef MORTISE_SOLVABILITY_H
 #define MORTISE_SOLVABILITY_H
 
@@ -15,7 +17,8 @@ typedef enum {
   SOLVABLE_NOT       /* the loads do work on a motion that nothing resists */
 } SolvabilityStatus;
 
-/* Motion of a body, or of a connected component of it: a point x moves by translation + rotation x (x - centre). */
+/* Motion of a body, or of a connected component of it: a point x moves by translation + rotation x (x -
+   centre). */
 typedef struct {
   PetscInt  body, piece;                 /* piece: of vi->rigid_modes.components */
   PetscBool whole;                       /* the body has one component */
@@ -25,7 +28,7 @@ typedef struct {
   PetscReal work;      /* of the loads on this motion */
 } BodyMotion;
 
-/* Where a row of B acts, and which components it keeps apart. */
+/* The point where a row of B acts, and the components that it separates. */
 typedef struct {
   PetscReal x[3];
   PetscInt  piece[2]; /* nonmortar, mortar; -1 for an obstacle */
@@ -39,7 +42,8 @@ typedef struct {
   ContactPlace *place;    /* [num] */
 } ContactRows;
 
-/* One motion of several bodies, scaled so that the largest rotation is 1; without rotations the longest translation. */
+/* One motion of several bodies, scaled so that the largest rotation is 1; without rotations the longest
+   translation. */
 typedef struct {
   PetscInt    num;
   BodyMotion *bodies;         /* bodies or their components that move [num] */
@@ -55,7 +59,7 @@ struct _n_Solvability {
   Vec              *modes; /* T^-1 z_k [m] */
   ContactRows       nodal; /* C: rows of B, acting at their nodes; num = vi->num_rows */
   ContactRows
-      overlap; /* the same, but at the overlap boundary instead of nodes beyond it; the very same without such nodes */
+      overlap; /* the same, but at the overlap boundary instead of nodes beyond it; the same object without such nodes */
   ContactRows
       forces_at;    /* generators of all contact forces: overlap; with friction its cones at the nodes of their pairs */
   PetscBool cut;    /* some facet of a pair without friction is covered in part: overlap differs from nodal */
@@ -80,22 +84,24 @@ struct _n_Solvability {
 };
 typedef struct _n_Solvability *Solvability;
 
-/* Decides whether contact can hold the rigid body modes that supports leave. Collective. [out] solvability - owned by the caller; NULL
-   where supports leave no mode */
+/* Decides whether contact can hold the rigid body modes that supports leave. Collective.
+   [out] solvability - owned by the caller; NULL where supports leave no mode */
 PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability);
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);
 /* Decides anew for other loads and gaps of the same vi; nothing where there is no solvability. Collective. */
 PetscErrorCode SolvabilityUpdate(VI vi, Solvability solvability);
 
-/* Whether a rigid motion of floating bodies changes all given gaps to zero, and no others. Collective. [in] gaps - of each pair, the same at
-   all its nodes [vi->num_pairs]; [out] takes */
+/* Whether a rigid motion of floating bodies changes all given gaps to zero, and no others. Collective.
+   [in] gaps - of each pair, the same at all its nodes [vi->num_pairs]; [out] takes */
 PetscErrorCode SolvabilityTakesGaps(VI vi, Solvability solvability, const PetscReal gaps[], PetscBool *takes);
 
-/* Replaces a solution by that of least mean square displacement, among all that differ from it by free motions (eq. 12.7). Sets the free
-   motions. Does nothing if solvability is NULL. Collective. [in,out] y - a solution */
+/* Replaces a solution by that of least mean square displacement, among all that differ from it by free
+   motions (eq. 12.7). Sets the free motions. Does nothing if solvability is NULL. Collective.
+   [in,out] y - a solution */
 PetscErrorCode MinimumNormApply(VI vi, Solvability solvability, Vec y);
 
-/* A motion as numbers and as a sentence. Collective. [in] q - [m]; [out] motion - to be freed by SceneMotionDestroy() */
+/* A motion as numbers and as a sentence. Collective.
+   [in] q - [m]; [out] motion - to be freed by SceneMotionDestroy() */
 PetscErrorCode SceneMotionCreate(VI vi, Solvability solvability, const PetscReal q[], SceneMotion *motion);
 PetscErrorCode SceneMotionDestroy(SceneMotion *motion);
 /* Displacement of a point of the body. [in] x - [dim]; [out] u - [dim] */

@@ -6,7 +6,8 @@
    of its own [1]. Displacements on boundaries of cells and of a coarse node inside stay those of the shape
    functions.
 
-   References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables, 1999. */
+   References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables,
+   1999. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "problem/elasticity.h"

@@ -1,4 +1,5 @@
-/* cellprolongation.h -- prolongation that keeps the volume of nearly incompressible bodies; internal (eq. 13.8). */
+/* cellprolongation.h -- prolongation that keeps the volume of nearly incompressible bodies; internal
+   (eq. 13.8). */
 #ifndef MORTISE_CELLPROLONGATION_H
 #define MORTISE_CELLPROLONGATION_H
 

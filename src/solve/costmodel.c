@@ -1,9 +1,10 @@
 /* costmodel.c -- when a factorization replaces an iteration.
 
-   Soft structures need hundreds of active sets; bodies that only contact holds need many proximal point steps. By
-   iteration, each of these linear systems costs about the same. One factorization can serve all of them, and then each
-   costs little. The number of future systems is unknown. The rule assumes as many as so far: then the total cost is at
-   most twice the least possible one [1]. Costs are counted operations: measured times would vary between runs.
+   Soft structures need hundreds of active sets; bodies that only contact holds need many proximal point
+   steps. By iteration, each of these linear systems costs about the same. One factorization can serve all of
+   them, and then each costs little. The number of future systems is unknown. The rule assumes as many as so
+   far: then the total cost is at most twice the least possible one [1]. Costs are counted operations:
+   measured times would vary between runs.
 
    References: [1] Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, 1988. */
 #include "base/compat.h"
@@ -12,18 +13,21 @@
 #include "pdas/factorization.h"
 #include "solve/costmodel.h"
 
-/* Work (in products) after which the cost of a factorization is predicted; the second number is for bodies that only
-   contact holds. Scenes suited to multigrid stay below it. The prediction costs about a tenth of the first number. */
+/* Work (in products) after which the cost of a factorization is predicted; the second number is for bodies
+   that only contact holds. Scenes suited to multigrid stay below it. The prediction costs about a tenth of
+   the first number. */
 static const PetscReal PREDICT_FROM = 300, FLOATING_PREDICT_FROM = 120;
-/* Operations of a factorization in the time of one operation of a product; time of a product with block smoothing,
-   relative to one without. Measured on one core with OpenBLAS: balls of 36,000 unknowns, order 2. */
+/* Operations of a factorization in the time of one operation of a product; time of a product with block
+   smoothing, relative to one without. Measured on one core with OpenBLAS: balls of 36,000 unknowns, order
+   2. */
 static const PetscReal OPERATION_RATE = 1.5, SMOOTHING_COST = 2;
-/* Largest cost of the iteration for bodies that only contact holds, relative to a factorization. Measured in products,
-   iteration and factorization: cubes of 46,875 unknowns 80 to 110 and 530; stacked blocks of 60,225, 49 and 516; balls of
-   order 2, of 27,783 unknowns 15,000 and 681, of 36,501 unknowns 29,000 and 875. */
+/* Largest cost of the iteration for bodies that only contact holds, relative to a factorization. Measured in
+   products, iteration and factorization: cubes of 46,875 unknowns 80 to 110 and 530; stacked blocks of
+   60,225, 49 and 516; balls of order 2, of 27,783 unknowns 15,000 and 681, of 36,501 unknowns 29,000 and
+   875. */
 static const PetscReal FLOATING_FACTOR = 0.25;
-/* The same ratio once the inequality has been solved with a proximal term: a factorization would begin with an unknown
-   contact state again. */
+/* The same ratio once the inequality has been solved with a proximal term: a factorization would begin with
+   an unknown contact state again. */
 static const PetscReal FOUND_FACTOR = 2;
 /* Assumed part of the bounded unknowns that is free, for the dense factorization of each set. */
 static const PetscReal FREE_PART = 0.5;

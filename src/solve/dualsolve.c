@@ -83,7 +83,8 @@ static PetscErrorCode DualSolveOne_Private(Dual *dual, Vec b, Vec z, PetscBool *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* All of them. A solver that iterates needs less accuracy than for an inequality, and has its own afterwards. */
+/* All of them. A solver that iterates needs less accuracy than for an inequality, and has its own
+   afterwards. */
 static PetscErrorCode DualSolveAll_Private(VI vi, ActiveSolver solver, PetscInt num, const Vec b[], Vec z[],
                                            PetscBool *solved)
 {

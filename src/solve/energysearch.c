@@ -4,7 +4,8 @@
    does not jump. A projected step s(t) = min(y + t d, upper) - y changes it by F.s + s.As / 2. It falls if t
    is small [1] (eq. 10.2). No set returns.
 
-   References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints, 1982. */
+   References: [1] Bertsekas, Projected Newton methods for optimization problems with simple constraints,
+   1982. */
 #include "base/compat.h"
 #include "solve/solverimpl.h"
 

@@ -239,8 +239,8 @@ static PetscErrorCode ErrorBoundCorrect_Private(Bound *m, PetscReal *square)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Releases tangents that stick by more than their limit; from then on they carry the limit. [in] m->forces, m->values -
-   as in ErrorBoundRelease_Private(); [in,out] num */
+/* Releases tangents that stick by more than their limit; from then on they carry the limit.
+   [in] m->forces, m->values - as in ErrorBoundRelease_Private(); [in,out] num */
 static PetscErrorCode ErrorBoundReleaseTangents_Private(Bound *m, PetscInt *num)
 {
   PetscFunctionBeginUser;

@@ -2,7 +2,8 @@
 
    A good displacement saves steps: its active set by eq. 10.1 is nearly correct, and iterative linear solvers
    start near their end. A bad one costs steps and changes nothing else, since the solution is unique. If
-   contact alone holds a body and nothing is known, the iteration starts with contacts that balance the loads. */
+   contact alone holds a body and nothing is known, the iteration starts with contacts that balance the
+   loads. */
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"

@@ -54,8 +54,9 @@ static PetscErrorCode MeshLevelsBlocks_Private(Mat P, PetscInt dim, Mat *blocks)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What fixed unknowns of the coarser level, which have their values, give to free ones of this one. [in] P -
-   of all unknowns; [in] free - 1 for free unknowns, fine and coarse; [out] lift - NULL where the values are 0 */
+/* What fixed unknowns of the coarser level, which have their values, give to free ones of this one.
+   [in] P - of all unknowns; [in] free - 1 for free unknowns, fine and coarse; [out] lift - NULL where the
+   values are 0 */
 static PetscErrorCode MeshLevelsCreateLift_Private(VI coarse, VI fine, Mat P, const Vec free[2], Vec *lift)
 {
   PetscReal size;

@@ -36,10 +36,12 @@ PetscErrorCode MeshLevelsAreNested(VI vi, PetscBool *nested);
 PetscErrorCode MeshLevelsCreate(const Inequality *finest, Vec W, MeshLevels *older, MeshLevels *levels);
 /* Whether there are any or not. Collective. */
 PetscErrorCode MeshLevelsDestroy(MeshLevels *levels);
-/* What is solved on a level from now on. Not collective. [in] l - of these levels; [in] W - as of MeshLevelsCreate() */
+/* What is solved on a level from now on. Not collective.
+   [in] l - of these levels; [in] W - as of MeshLevelsCreate() */
 PetscErrorCode MeshLevelsSetInequality(MeshLevels levels, PetscInt l, const Inequality *inequality, Vec W);
 
-/* The matrices and masks of an inequality, with T^-1. Collective. [out] op - to be released by OperatorDestroy() */
+/* The matrices and masks of an inequality, with T^-1. Collective.
+   [out] op - to be released by OperatorDestroy() */
 PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Operator *op);
 
 #endif

@@ -17,8 +17,9 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
 /* Improves a displacement that was prolonged from a coarser mesh or extrapolated from load steps, and
    predicts its active set (eqs. 14.1, 14.2). The residual of a prolonged displacement is rough, so that
    (10.1) does not give its set. Collective.
-   [in] snes - of the finest level, of type pdas, configured; [in] kept - whether it has the preconditioner of the
-   load step before; [in,out] y; [out] active - 1 or 0, in the layout of y; [out] found - whether a set is predicted */
+   [in] snes - of the finest level, of type pdas, configured;
+   [in] kept - whether it has the preconditioner of the load step before; [in,out] y; [out] active - 1 or 0,
+   in the layout of y; [out] found - whether a set is predicted */
 PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, PetscBool kept, Vec y, Vec active,
                                       PetscBool *found);
 

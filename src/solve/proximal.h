@@ -18,7 +18,8 @@ typedef struct {
   PetscInt    num_reductions; /* how often W was reduced */
 } Proximal;
 
-/* Creates what is to be solved, with the centre 0. Collective. [out] proximal - to be ended by ProximalEnd() */
+/* Creates what is to be solved, with the centre 0. Collective.
+   [out] proximal - to be ended by ProximalEnd() */
 PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal);
 /* Sets the centre to a guess; without one sets the initial active set to contacts that balance the loads.
    Collective. [in] snes - that solves, with its tolerances */

@@ -47,8 +47,8 @@ static PetscErrorCode SolverStartNested_Private(SolverContext *context, Vec y, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Starts from the solution of the mesh before this one was refined, or of the load step before. [in] kept - of
-   NestedIterationPredict() */
+/* Starts from the solution of the mesh before this one was refined, or of the load step before.
+   [in] kept - of NestedIterationPredict() */
 static PetscErrorCode SolverStartExtended_Private(SolverContext *context, PetscBool kept, Vec y)
 {
   PetscBool found;

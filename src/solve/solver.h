@@ -1,4 +1,5 @@
-/* solver.h -- the solver of one inequality: a SNES with defaults by size, the error bound, the cross-check. */
+/* solver.h -- the solver of one inequality: a SNES with defaults by size, the error bound, the
+   cross-check. */
 #ifndef MORTISE_SOLVER_H
 #define MORTISE_SOLVER_H
 
@@ -72,13 +73,15 @@ PetscErrorCode SolverExtend(Solver solver, Solver older, VI *vi);
    Collective.
    [in] solvability - of vi, borrowed; the one of before, but for its values */
 PetscErrorCode SolverUpdate(Solver solver);
-/* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an error: the
-   report says so. Collective.
-   [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer; or NULL
+/* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an
+   error: the report says so. Collective.
+   [in] guess - displacement to begin with (ghosted, dim per node), which changes the work and not the answer;
+   or NULL
    [out] y - created by the caller in the layout of vi->b */
 PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report);
 /* Solves once more with the active set of the solution y, by the same linear solver, from zero with a new
-   setup; the seconds belong to no stage. Collective. [in,out] report - of SolverSolve(); its reference is set */
+   setup; the seconds belong to no stage. Collective.
+   [in,out] report - of SolverSolve(); its reference is set */
 PetscErrorCode SolverSolveLinear(Solver solver, Vec y, SolverReport *report);
 /* Solves by the other of pdas and vinewtonrsls and compares. Collective. */
 PetscErrorCode SolverCrossCheck(Solver solver, Vec y, const SolverReport *report, CrossCheck *check);

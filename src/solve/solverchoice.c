@@ -395,7 +395,8 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
 }
 
 /* Iterations of the second solver. Where contact moves along a side from node to node, both need many: one
-   cell on 2000 takes 174 steps of pdas and 161 of vinewtonrsls, on 4000 366 and 317. PETSc's default is 100. */
+   cell on 2000 takes 174 steps of pdas and 161 of vinewtonrsls, on 4000 366 and 317. PETSc's default is
+   100. */
 enum { SECOND_MAX_IT = 500, SECOND_PER_FIRST = 2 };
 
 PetscErrorCode SolverChoiceSetSecond(VI vi, const SolverReport *first, const char prefix[], SolverChoice *choice)

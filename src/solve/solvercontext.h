@@ -39,7 +39,8 @@ PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, Pe
 /* A new one as for a solution, with levels. Collective. [in] report - of it, or NULL for any y; [out] context
    - as above */
 PetscErrorCode SolverCreateContext(Solver solver, const SolverReport *report, SolverContext *context);
-/* y without the rigid motion that SolverSolve() adds. Collective. [out] own - to be destroyed by the caller */
+/* y without the rigid motion that SolverSolve() adds. Collective.
+   [out] own - to be destroyed by the caller */
 PetscErrorCode SolverSubtractRigid(Solvability solvability, Vec y, Vec *own);
 /* Sets the levels of a multigrid preconditioner, those of the last solve if it kept them. Collective. [in]
    snes - if it passes the inactive unknowns alone, or NULL */

@@ -36,7 +36,8 @@ struct _n_Solver {
   SolverChoice             choice;
 };
 
-/* The linear solver in words. Not collective. [in] package - that factors, or NULL; [out] words - shape [len] */
+/* The linear solver in words. Not collective.
+   [in] package - that factors, or NULL; [out] words - shape [len] */
 PetscErrorCode SolverChoiceDescribe(const char ksp[], const char pc[], const char package[], char words[], size_t len);
 /* Whether a PC is a factorization. Not collective. */
 PetscBool SolverChoiceFactors(const char pc[]);
@@ -59,11 +60,13 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
 PetscErrorCode SNESSetupCreate(const Inequality *solved, const SolverChoice *choice, Vec scratch, PetscReal *norm,
                                SNES *snes);
 
-/* A line search that lowers the energy 1/2 y'A y - b'y along projected steps. Collective. [in] ctx - the Inequality */
+/* A line search that lowers the energy 1/2 y'A y - b'y along projected steps. Collective.
+   [in] ctx - the Inequality */
 PetscErrorCode EnergySearchApply(SNESLineSearch search, void *ctx);
 
 /* Solves with a SNES of its own. Collective.
-   [in] progress - whether to print the table; [in] guess - displacement, or NULL; [out] y - created by the caller;
+   [in] progress - whether to print the table;
+   [in] guess - displacement, or NULL; [out] y - created by the caller;
    [out] report */
 PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool progress, Vec guess, Vec y,
                          SolverReport *report);

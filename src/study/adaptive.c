@@ -75,7 +75,8 @@ static PetscReal AdaptiveGetRate_Private(const Scene scene)
   return (PetscReal)order / scene->dim;
 }
 
-/* Expected unknowns of a mesh with the errors asked for. Bars of goals fall like the square of the error in the energy norm. */
+/* Expected unknowns of a mesh with the errors asked for. Bars of goals fall like the square of the error in
+   the energy norm. */
 static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
@@ -147,8 +148,8 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether estimates have hardly fallen since there were half as many unknowns. They are not calibrated here: calibrations of
-   coarse meshes may jump. */
+/* Whether estimates have hardly fallen since there were half as many unknowns. They are not calibrated here:
+   calibrations of coarse meshes may jump. */
 static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
@@ -295,7 +296,8 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes the next mesh, and interpolates the displacement to it. Collective. [out] guess - owned by the caller */
+/* Makes the next mesh, and interpolates the displacement to it. Collective.
+   [out] guess - owned by the caller */
 static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
@@ -383,8 +385,8 @@ static PetscErrorCode AdaptiveAdvance_Private(Adaptive adaptive, Vec guess, Run 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on a new mesh; with load steps the run of the mesh before is kept. Collective. [in] tighten - whether pretensions
-   are applied at this time */
+/* Solves on a new mesh; with load steps the run of the mesh before is kept. Collective.
+   [in] tighten - whether pretensions are applied at this time */
 static PetscErrorCode AdaptiveExtend_Private(Adaptive adaptive, Vec guess, PetscBool tighten, Run *run)
 {
   PetscFunctionBeginUser;

@@ -4,12 +4,14 @@
 
 #include "study/run.h"
 
-/* Solves, estimates the error, marks cells, bisects them, and solves again with the last solution as initial guess. Ends when
-   the calibrated estimate is at most scene->adapt.tolerance of the solution in the energy norm and all goals are met. A limit
-   of scene->adapt may end it before: then the run is not solved, and its report has the reason. Prints a line for each mesh.
-   Collective.
-   [in] mesh - set up, of a scene with -adapt; gets more levels; [in] guess - initial guess of the displacement, or NULL;
-   [in,out] run - destroyed unless NULL; then that of the last mesh, with the blocks "estimate" and "bars" of the summary */
+/* Solves, estimates the error, marks cells, bisects them, and solves again with the last solution as initial
+   guess. Ends when the calibrated estimate is at most scene->adapt.tolerance of the solution in the energy
+   norm and all goals are met. A limit of scene->adapt may end it before: then the run is not solved, and its
+   report has the reason. Prints a line for each mesh. Collective.
+   [in] mesh - set up, of a scene with -adapt; gets more levels;
+   [in] guess - initial guess of the displacement, or NULL;
+   [in,out] run - destroyed unless NULL; then that of the last mesh, with the blocks "estimate" and "bars" of
+   the summary */
 PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run);
 
 /* The same for a scene at several times. */
@@ -18,22 +20,24 @@ typedef struct _n_Adaptive *Adaptive;
 PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive);
 /* Collective. */
 PetscErrorCode AdaptiveDestroy(Adaptive *adaptive);
-/* Solves at the scene's time. With load steps, the last five meshes of the time before are solved on first, with their
-   factors: then there are bars without a new mesh. Refines the latest mesh while the error is too large; never coarsens.
-   Collective.
-   [in] guess - initial guess of the displacement, or NULL; [in,out] run - NULL at the first time, else that of the last
-   time; then that of the latest mesh */
+/* Solves at the scene's time. With load steps, the last five meshes of the time before are solved on first,
+   with their factors: then there are bars without a new mesh. Refines the latest mesh while the error is too
+   large; never coarsens. Collective.
+   [in] guess - initial guess of the displacement, or NULL;
+   [in,out] run - NULL at the first time, else that of the last time; then that of the latest mesh */
 PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run);
 
-/* The next three are for scenes with SceneRepeatsSteps(). All load steps are solved on each mesh, from the first to the last.
-   The next mesh is refined where the error of any step is large. Slip is not transferred between meshes. */
+/* The next three are for scenes with SceneRepeatsSteps(). All load steps are solved on each mesh, from the
+   first to the last. The next mesh is refined where the error of any step is large. Slip is not transferred
+   between meshes. */
 
-/* Adds a solved step, and gives its run the blocks "estimate" and "bars". Collective. [in] i - index of the step */
+/* Adds a solved step, and gives its run the blocks "estimate" and "bars". Collective.
+   [in] i - index of the step */
 PetscErrorCode AdaptiveAddStep(Adaptive adaptive, PetscInt i, Run run);
-/* After the last step: prints the line of the mesh, and refines the mesh unless it is the last one. If errors are larger than
-   asked for on the last mesh, the report of the run has the reason. Collective.
-   [in,out] run - of the last step, destroyed if there is a new mesh; [out] guess - displacements of all steps on the new
-   mesh, owned by the caller [steps]; NULL without one */
+/* After the last step: prints the line of the mesh, and refines the mesh unless it is the last one. If errors
+   are larger than asked for on the last mesh, the report of the run has the reason. Collective.
+   [in,out] run - of the last step, destroyed if there is a new mesh;
+   [out] guess - displacements of all steps on the new mesh, owned by the caller [steps]; NULL without one */
 PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess);
 /* Whether the error of a step is as small as asked for. Not collective. */
 PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i);

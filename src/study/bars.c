@@ -45,7 +45,8 @@ typedef struct {
   const char *section, *owner, *key, *end; /* end: of an extent, else NULL */
 } BarPath;
 
-/* Returns the number of values, 0 where nothing has the path. [out] values - [MAX_ITEMS]; [out] list - whether it is an array */
+/* Returns the number of values, 0 where nothing has the path.
+   [out] values - [MAX_ITEMS]; [out] list - whether it is an array */
 static PetscInt BarsRead_Private(const cJSON *row, const BarPath *path, PetscReal values[], PetscBool *list)
 {
   const cJSON *item = cJSON_GetObjectItemCaseSensitive(row, path->section), *each;
@@ -78,8 +79,8 @@ static PetscBool BarsSettle_Private(PetscInt num, const PetscReal Q[])
   return (PetscBool)(num > 2);
 }
 
-/* The bar from differences of meshes. Few meshes do not show a rate: then it is the largest difference, times BAR_MESHES over
-   the number of differences. [in] Q - of all meshes, NAN for none [num] */
+/* The bar from differences of meshes. Few meshes do not show a rate: then it is the largest difference, times
+   BAR_MESHES over the number of differences. [in] Q - of all meshes, NAN for none [num] */
 static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscReal Q[])
 {
   const PetscInt  last = history->num - 1;
@@ -113,8 +114,9 @@ static PetscBool BarsGrows_Private(PetscInt num, const PetscReal Q[])
   return PETSC_TRUE;
 }
 
-/* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as over the two before,
-   and visibly. Cells around a probe are not bisected for each mesh, so single increments tell less. */
+/* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as
+   over the two before, and visibly. Cells around a probe are not bisected for each mesh, so single increments
+   tell less. */
 static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
 {
   const PetscReal last   = num > BAR_MESHES ? PetscAbsReal(Q[num - 1]) : 0;
@@ -124,8 +126,9 @@ static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
   return (PetscBool)(last - first > GROWN * last && last - middle > STILL_GROWS * (middle - first) && middle > first);
 }
 
-/* The floor of a number. [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector; [in] area -
-   of contact, for mean pressures */
+/* The floor of a number.
+   [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector; [in] area - of
+   contact, for mean pressures */
 static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscReal size,
                                       PetscReal area)
 {
@@ -142,7 +145,8 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   }
 }
 
-/* The size of a number, or of its vector; for a position, of the extent of contact. [in] values - of the path [num] */
+/* The size of a number, or of its vector; for a position, of the extent of contact.
+   [in] values - of the path [num] */
 static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
                                      const PetscReal values[])
 {
@@ -156,8 +160,9 @@ static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, Floo
   return PetscSqrtReal(sum);
 }
 
-/* Adds the bars of one key. [in] owner - of BarsGetFloor_Private(); [out] grows - whether the number grows without limit;
-   optional, may be NULL */
+/* Adds the bars of one key.
+   [in] owner - of BarsGetFloor_Private(); [out] grows - whether the number grows without limit; optional, may
+   be NULL */
 static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *path, FloorKind kind, PetscInt owner,
                                       const char name[], cJSON *to, PetscBool *grows)
 {
@@ -196,8 +201,8 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds bars of energies. The potential is above its limit by (E^2 + L) / 2, with an error of a third of E^2. While few meshes
-   calibrate E, differences of meshes may be larger. */
+/* Adds bars of energies. The potential is above its limit by (E^2 + L) / 2, with an error of a third of E^2.
+   While few meshes calibrate E, differences of meshes may be larger. */
 static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *bars)
 {
   cJSON          *energy = cJSON_AddObjectToObject(bars, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");

@@ -21,11 +21,13 @@ typedef struct {
   PetscReal        excess; /* its 2 (J_h - J), estimated */
 } BarHistory;
 
-/* Error bars: half widths of intervals around the numbers of the finest mesh (eq. 15.5), with r_j = min(eta_k / eta_j, .95):
-       b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor).
-   With fewer than five meshes, their largest difference times 4 over the number of earlier meshes takes the place of the
+/* Error bars: half widths of intervals around the numbers of the finest mesh (eq. 15.5), with r_j = min(eta_k
+       / eta_j, .95): b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor).
+   With fewer than five meshes, their largest difference times 4 over the number of earlier meshes takes the
+       place of the
    first term; not if eta_k is below a quarter of the first estimate and increments halve. Not collective.
-   [out] bars - an object with the keys of the summary: energy, pairs, reactions, probes; null for a number that grows
+   [out] bars - an object with the keys of the summary: energy, pairs, reactions, probes; null for a number
+   that grows
    without limit. "unbounded" lists the pairs of such pressures. Owned by the caller */
 PetscErrorCode BarsCreate(const BarHistory *history, cJSON **bars);
 

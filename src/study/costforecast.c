@@ -1,16 +1,16 @@
 /* costforecast.c -- predicted memory of the next run.
 
-   Memory = A + B N^q, with N unknowns. A is that of any run. B comes from the latest two runs of the order, unless these are
-   too small to show it. */
+   Memory = A + B N^q, with N unknowns. A is that of any run. B comes from the latest two runs of the order,
+   unless these are too small to show it. */
 #include "study/costforecast.h"
 #include "study/studyimpl.h"
 
-/* q, in the plane and in space. Factors of a plane matrix grow like N log N, which is this power for the sizes of studies. In
-   space they would grow faster, but multigrid replaces large factorizations. */
+/* q, in the plane and in space. Factors of a plane matrix grow like N log N, which is this power for the
+   sizes of studies. In space they would grow faster, but multigrid replaces large factorizations. */
 static const PetscReal GROWTH[] = {1.15, 1};
-/* B in bytes, by order 1 and 2. In the plane: measured with MUMPS on quadrilaterals, 2000 to 800000 unknowns. In space, a value
-   between those of factors of hexahedra, up to 12000 and 15000 with 30000 unknowns, and of multigrid, 2400 (order 1, 40000 to
-   300000 unknowns). */
+/* B in bytes, by order 1 and 2. In the plane: measured with MUMPS on quadrilaterals, 2000 to 800000 unknowns.
+   In space, a value between those of factors of hexahedra, up to 12000 and 15000 with 30000 unknowns, and of
+   multigrid, 2400 (order 1, 40000 to 300000 unknowns). */
 static const PetscReal BYTES[][2] = {{550, 700}, {6000, 12000}};
 static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
 /* A measured B is used up to this factor from the one above. */

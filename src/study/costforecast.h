@@ -10,7 +10,8 @@ typedef struct {
   PetscReal bytes; /* peak of all ranks */
 } CostPoint;
 
-/* Expected bytes of a mesh with more unknowns, from the latest two meshes. Not collective. [in] before - optional, may be NULL */
+/* Expected bytes of a mesh with more unknowns, from the latest two meshes. Not collective.
+   [in] before - optional, may be NULL */
 PetscReal CostForecastNext(Scene scene, const CostPoint *last, const CostPoint *before, PetscReal unknowns);
 
 enum { BYTES_TEXT = 32 };

@@ -44,8 +44,8 @@ PetscReal EnvelopeGetSeconds(const Envelope *envelope)
   return sum;
 }
 
-/* Takes the relative errors of cells, where they are the largest so far. A solution that is rounding has none, unless contact
-   was missed. */
+/* Takes the relative errors of cells, where they are the largest so far. A solution that is rounding has
+   none, unless contact was missed. */
 static PetscErrorCode EnvelopeTakeCells_Private(Envelope *envelope, const SolvedMesh *mesh, Run run)
 {
   const PetscInt cells = run->vi->level->num_cells;

@@ -23,8 +23,8 @@ PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal se
 PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i);
 /* Seconds of all steps on the latest mesh. Not collective. */
 PetscReal EnvelopeGetSeconds(const Envelope *envelope);
-/* Marks cells where the error of any step is large. Collective. [in] level - the latest mesh; [in] share, [out] marked - as
-   of MarkingCreate() */
+/* Marks cells where the error of any step is large. Collective.
+   [in] level - the latest mesh; [in] share, [out] marked - as of MarkingCreate() */
 PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked);
 
 #endif

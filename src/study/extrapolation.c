@@ -61,7 +61,8 @@ PetscBool ExtrapolationVanishes(Study study, PetscInt quantity, const Extrapolat
   return (PetscBool)(PetscAbsReal(limit->value) + limit->bar <= QUANTITY_ROUNDING * size);
 }
 
-/* The best extrapolation of a quantity. Returns whether there is one that does not vanish. [out] order - of it */
+/* The best extrapolation of a quantity. Returns whether there is one that does not vanish.
+   [out] order - of it */
 static PetscBool ExtrapolationGetTold_Private(Study study, PetscInt q, PetscInt *order, Extrapolation *limit)
 {
   *order = ExtrapolationFindBest(study, q);

@@ -1,6 +1,7 @@
 /* goals.c -- dual solutions, and marking for them [1].
 
-   [1] Becker, Estecahandy, Trujillo, Weighted marking for goal-oriented adaptive finite element methods, 2011. */
+   [1] Becker, Estecahandy, Trujillo, Weighted marking for goal-oriented adaptive finite element methods,
+   2011. */
 #include "study/goals.h"
 #include "base/compat.h"
 #include "base/json.h"
@@ -9,8 +10,9 @@
 #include "study/marking.h"
 #include <math.h>
 
-/* Solves the dual problems of all goals together. [out] goal - GoalDestroy() [num]; [out] z - owned by the caller,
-   VecDestroyVecs() [num]; [out] solved - whether all are */
+/* Solves the dual problems of all goals together.
+   [out] goal - GoalDestroy() [num]; [out] z - owned by the caller, VecDestroyVecs() [num]; [out] solved -
+   whether all are */
 static PetscErrorCode GoalsSolveDual_Private(Run run, Goal goal[], Vec **z, PetscBool *solved)
 {
   const Scene    scene = run->scene;

@@ -14,7 +14,8 @@ typedef struct {
 } GoalState;
 
 /* Solves the dual problems of all goals on the mesh of a run. Collective.
-   [out] states - product, body and at; value and bar are NAN [num_goals]; [out] indicators - weights of cells for marking,
+   [out] states - product, body and at; value and bar are NAN [num_goals];
+   [out] indicators - weights of cells for marking,
        eta_T(u)^2 / |eta(u)|^2 + eta_T(z)^2 / |eta(z)|^2,
    [num_goals][num_cells], owned by the caller; [out] solved - whether all dual problems are */
 PetscErrorCode GoalsSolve(Run run, GoalState states[], PetscReal **indicators, PetscBool *solved);
@@ -24,10 +25,10 @@ PetscErrorCode GoalsRaiseBars(Scene scene, const cJSON *row, cJSON *bars, GoalSt
 /* Whether the bars of all goals, or of one, are as small as asked for. Not collective. */
 PetscBool GoalsAreMet(Scene scene, const GoalState states[]);
 PetscBool GoalIsMet(Scene scene, const GoalState *state);
-/* Marks cells for the goals that are not met, and for the energy norm. If only the bar of eq. 15.5 of a goal is too large,
-   cells at its position are marked as well: the floor of that bar is local. Collective.
-   [in] energy - whether cells are marked for the energy norm; [in] indicators - of GoalsSolve(); [out] marked - as of
-   MarkingCreate() [num_cells], owned by the caller */
+/* Marks cells for the goals that are not met, and for the energy norm. If only the bar of eq. 15.5 of a goal
+   is too large, cells at its position are marked as well: the floor of that bar is local. Collective.
+   [in] energy - whether cells are marked for the energy norm;
+   [in] indicators - of GoalsSolve(); [out] marked - as of MarkingCreate() [num_cells], owned by the caller */
 PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
                          PetscInt **marked);
 

@@ -1,7 +1,8 @@
-/* halvedsteps.c -- numbers of load steps extrapolated to steps of length 0 (eq. 15.2, with the length of steps for h).
+/* halvedsteps.c -- numbers of load steps extrapolated to steps of length 0 (eq. 15.2, with the length of
+   steps for h).
 
-   Rows of the summary are trees of numbers. The rows of three solutions have the same keys; so have the trees of limits and
-   of bars. */
+   Rows of the summary are trees of numbers. The rows of three solutions have the same keys; so have the trees
+   of limits and of bars. */
 #include "study/halvedsteps.h"
 #include "base/json.h"
 #include <math.h>
@@ -83,7 +84,8 @@ static void HalvedStepsAddNumbers_Private(const Samples samples, const char key[
   }
 }
 
-/* Numbers of these keys, or of all keys; samples may lack them. [in] keys - ends with NULL; or NULL for all */
+/* Numbers of these keys, or of all keys; samples may lack them.
+   [in] keys - ends with NULL; or NULL for all */
 static void HalvedStepsAddKeys_Private(const Samples samples, const char *const keys[], const char name[],
                                        cJSON *values, cJSON *bars)
 {
@@ -130,7 +132,8 @@ static void HalvedStepsAddList_Private(const Samples row, const char name[], con
 /* Adds the block to one row. */
 static void HalvedStepsExtrapolateRow_Private(const Samples row, cJSON *last)
 {
-  /* Not the slip, which is that of the last part of a step, and not positions, which jump from node to node. */
+  /* Not the slip, which is that of the last part of a step, and not positions, which jump from node to
+     node. */
   static const char *const pairs[] = {
       "normal_force", "force",       "area", "max_pressure", "max_pressure_covered", "min_gap", "tangential_force",
       "slip_share",   "dissipation", NULL};

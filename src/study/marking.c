@@ -30,8 +30,9 @@ typedef struct {
   PetscReal squared, cells;
 } Bin;
 
-/* Moves the cells of the largest bins, whose sum is a share of all, to the bins expected of their halves. Returns the last
-   bin moved. [in] step - distance of the bins of a cell and of its parts; [in,out] bins - [NUM_BINS + 1] */
+/* Moves the cells of the largest bins, whose sum is a share of all, to the bins expected of their halves.
+   Returns the last bin moved.
+   [in] step - distance of the bins of a cell and of its parts; [in,out] bins - [NUM_BINS + 1] */
 static PetscInt MarkingHalve_Private(PetscInt dim, PetscInt step, PetscReal share, Bin bins[])
 {
   PetscReal sum = 0, marked = 0;

@@ -29,8 +29,8 @@ static PetscInt MeshComparisonFindReference_Private(Study study)
   return found;
 }
 
-/* Interpolates the displacement of a record to the mesh of the reference. [out] v - ghosted, owned by the caller; NULL if the
-   record is not solved, or on a finer level */
+/* Interpolates the displacement of a record to the mesh of the reference.
+   [out] v - ghosted, owned by the caller; NULL if the record is not solved, or on a finer level */
 static PetscErrorCode MeshComparisonPromoteRecord_Private(Study study, const Record *record, const Record *reference,
                                                           Vec *v)
 {

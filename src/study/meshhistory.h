@@ -1,4 +1,5 @@
-/* meshhistory.h -- results of the meshes that a scene was solved on, and the error bars that follow from them. */
+/* meshhistory.h -- results of the meshes that a scene was solved on, and the error bars that follow from
+   them. */
 #ifndef MORTISE_MESHHISTORY_H
 #define MORTISE_MESHHISTORY_H
 
@@ -24,11 +25,13 @@ typedef struct {
 /* Adds the results of a solved run. Collective. [in] seconds - of its mesh so far */
 PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds);
 PetscErrorCode MeshHistoryDestroy(MeshHistory *history);
-/* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is none. Not collective. */
+/* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is
+   none. Not collective. */
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh);
 /* Whether that error is rounding: the finite element space contains the solution. Not collective. */
 PetscBool SolvedMeshIsExact(const SolvedMesh *mesh);
-/* Replaces the blocks "estimate" and "bars" of a run, and sets the bars of the goals of the latest mesh. Collective.
+/* Replaces the blocks "estimate" and "bars" of a run, and sets the bars of the goals of the latest mesh.
+   Collective.
    [in,out] run - that of the latest mesh */
 PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run);
 

@@ -1,10 +1,10 @@
 /* pretension.c -- bodies with pretension: their strain along the axis for a given force.
 
-   The strains alpha along the axes are further unknowns of a convex energy: min over u and alpha of
-   E(u, alpha) + sum F L alpha. For fixed alpha it is a contact problem with the same matrices: factors are kept. The mean
-   forces are the gradient of a convex function of alpha: monotone, and linear while the contact state is the same. Broyden's
-   method [1] finds alpha; its first tangent is the stiffness of the bodies alone. For one body it is the secant method,
-   exact after two steps within one contact state.
+   The strains alpha along the axes are further unknowns of a convex energy: min over u and alpha of E(u,
+   alpha) + sum F L alpha. For fixed alpha it is a contact problem with the same matrices: factors are kept.
+   The mean forces are the gradient of a convex function of alpha: monotone, and linear while the contact
+   state is the same. Broyden's method [1] finds alpha; its first tangent is the stiffness of the bodies
+   alone. For one body it is the secant method, exact after two steps within one contact state.
 
    Reference:
      [1] C. G. Broyden, A class of methods for solving nonlinear simultaneous equations (1965). */
@@ -14,7 +14,8 @@
 
 enum { MAX_SOLVES = 60, MAX_SLACK = 8 }; /* solutions; doublings of a step that changes no force */
 
-/* Relative error of the forces that ends the iteration, and the largest one accepted: iterative solvers may leave more. */
+/* Relative error of the forces that ends the iteration, and the largest one accepted: iterative solvers may
+   leave more. */
 static const PetscReal WANTED = 1e-11, ACCEPTED = 1e-6;
 /* A step s has changed no force, since bodies are slack, if s'H y is below this part of s's. */
 static const PetscReal SLACK = 0.01;
@@ -52,7 +53,8 @@ static PetscErrorCode PretensionDestroy_Private(Tightening *t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Computes the forces of a displacement. [in] first - whether to set the tangent too, to that of bodies with fixed ends */
+/* Computes the forces of a displacement.
+   [in] first - whether to set the tangent too, to that of bodies with fixed ends */
 static PetscErrorCode PretensionMeasure_Private(VI vi, Vec u, PetscBool first, Tightening *t)
 {
   PetscReal stiffness;
@@ -91,8 +93,9 @@ static void PretensionStep_Private(Scene scene, Tightening *t)
   }
 }
 
-/* H += (s - H y) s'H / s'H y with the step s and the change y of the forces. If bodies are slack after the step, forces have not
-   changed: then H is doubled, and PETSC_FALSE returned. [out] Hy, sH - work space [num] */
+/* H += (s - H y) s'H / s'H y with the step s and the change y of the forces. If bodies are slack after the
+   step, forces have not changed: then H is doubled, and PETSC_FALSE returned.
+   [out] Hy, sH - work space [num] */
 static PetscBool PretensionUpdateTangent_Private(Tightening *t, PetscReal Hy[], PetscReal sH[])
 {
   const PetscInt n     = t->num;
@@ -117,8 +120,8 @@ static PetscBool PretensionUpdateTangent_Private(Tightening *t, PetscReal Hy[], 
   return PETSC_TRUE;
 }
 
-/* Solves with the present strains. [in,out] u - the initial guess, then the displacement found; [in] guess - whether u is a
-   guess */
+/* Solves with the present strains.
+   [in,out] u - the initial guess, then the displacement found; [in] guess - whether u is a guess */
 static PetscErrorCode PretensionSolveOnce_Private(VI vi, Solvability solvability, Solver solver, PetscBool guess, Vec u,
                                                   Vec y, SolverReport *report)
 {
@@ -133,8 +136,9 @@ static PetscErrorCode PretensionSolveOnce_Private(VI vi, Solvability solvability
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Broyden's method. [in,out] u - the initial guess, then the displacement found; [in] guess - whether u is a guess, else it
-   is zero */
+/* Broyden's method.
+   [in,out] u - the initial guess, then the displacement found; [in] guess - whether u is a guess, else it is
+   zero */
 static PetscErrorCode PretensionFind_Private(VI vi, Solvability solvability, Solver solver, PetscBool guess, Vec u,
                                              Vec y, SolverReport *report)
 {

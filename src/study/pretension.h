@@ -4,9 +4,9 @@
 
 #include "solve/solver.h"
 
-/* SolverSolve(); with scene->tighten it also finds the strain of each body with pretension, so that its mean axial force is
-   the given one. If it finds none, the report has the reason; that is no error. Collective. [in] solvability - of vi, or
-   NULL; [in] guess - initial guess of the displacement, or NULL */
+/* SolverSolve(); with scene->tighten it also finds the strain of each body with pretension, so that its mean
+   axial force is the given one. If it finds none, the report has the reason; that is no error. Collective.
+   [in] solvability - of vi, or NULL; [in] guess - initial guess of the displacement, or NULL */
 PetscErrorCode PretensionSolve(VI vi, Solvability solvability, Solver solver, Vec guess, Vec y, SolverReport *report);
 
 #endif

@@ -1,14 +1,16 @@
 /* reachcheck.c -- the search radius check.
 
-   A pair searches its partner within its reach. The reach is given, or chosen from meshes and given displacements. The
-   displacements by loads are known only after the solution. If the sides of a pair have moved by no more than the reach
-   together, no contact was missed. Otherwise an inequality is made whose reach is the distance that they moved. In its
-   rows, the displacements must give no overlap at nodes that had no multiplier. */
+   A pair searches its partner within its reach. The reach is given, or chosen from meshes and given
+   displacements. The displacements by loads are known only after the solution. If the sides of a pair have
+   moved by no more than the reach together, no contact was missed. Otherwise an inequality is made whose
+   reach is the distance that they moved. In its rows, the displacements must give no overlap at nodes that
+   had no multiplier. */
 #include "base/compat.h"
 #include "base/warning.h"
 #include "study/reachcheck.h"
 
-/* Largest overlap without missed contact, as a part of the motion; that of the certificate for rows of the inequality. */
+/* Largest overlap without missed contact, as a part of the motion; that of the certificate for rows of the
+   inequality. */
 static const PetscReal OVERLAP = 1e-6;
 
 /* max |u| on a side, of this rank. */
@@ -35,7 +37,8 @@ static PetscErrorCode ReachCheckSideMotion_Private(Scene scene, Level *level, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The sum of the largest displacements of both sides of each pair, 0 for tied pairs. Collective. [out] motion - [num_pairs] */
+/* The sum of the largest displacements of both sides of each pair, 0 for tied pairs. Collective.
+   [out] motion - [num_pairs] */
 static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
 {
   const VI           vi = run->vi;
@@ -63,8 +66,8 @@ static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest overlap of each pair at nodes with a multiplier in the wider inequality alone. Collective. [out] overlap -
-   [num_pairs] */
+/* The largest overlap of each pair at nodes with a multiplier in the wider inequality alone. Collective.
+   [out] overlap - [num_pairs] */
 static PetscErrorCode ReachCheckGetOverlaps_Private(const Run run, const VI wide, PetscReal overlap[])
 {
   const VI           vi = run->vi;

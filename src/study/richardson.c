@@ -1,9 +1,10 @@
 /* richardson.c -- extrapolation to h = 0, with an error bar (eq. 15.2).
 
-   Q(h) = Q + C h^q + ... gives q from three levels h, h/2, h/4, and Q = Q2 + (Q2 - Q1) / (2^q - 1). The bar is the second
-   term times a factor of safety (Roache, Verification and validation in computational science and engineering, 1998).
-   Contact forces converge irregularly, since the edge of contact jumps from node to node. Two levels may agree by chance,
-   which looks like a high order. So orders above 2 are not used, neither for 2^q nor for the last difference. */
+   Q(h) = Q + C h^q + ... gives q from three levels h, h/2, h/4, and Q = Q2 + (Q2 - Q1) / (2^q - 1). The bar
+   is the second term times a factor of safety (Roache, Verification and validation in computational science
+   and engineering, 1998). Contact forces converge irregularly, since the edge of contact jumps from node to
+   node. Two levels may agree by chance, which looks like a high order. So orders above 2 are not used,
+   neither for 2^q nor for the last difference. */
 #include <math.h>
 #include <stdio.h>
 #include "study/richardson.h"

@@ -16,8 +16,9 @@ typedef struct {
 Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS]);
 /* The same for load steps, whose errors are of first order. Not collective. */
 Extrapolation RichardsonExtrapolateSteps(const PetscReal Q[RICHARDSON_LEVELS]);
-/* "1.83697e6 +- 2.0e2": the bar has one or two digits, and the value no more decimals than the bar. The bar is rounded up, so
-   that the printed interval contains the computed one. Not collective. [out] text - [len], RICHARDSON_TEXT is enough */
+/* "1.83697e6 +- 2.0e2": the bar has one or two digits, and the value no more decimals than the bar. The bar
+   is rounded up, so that the printed interval contains the computed one. Not collective.
+   [out] text - [len], RICHARDSON_TEXT is enough */
 void RichardsonText(const Extrapolation *limit, char text[], size_t len);
 
 #endif

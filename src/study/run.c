@@ -8,7 +8,8 @@
 #include "study/pretension.h"
 #include "study/reachcheck.h"
 
-/* Attempts with wider reaches. After each, bodies move less, or meet other sides; four times other sides is not expected. */
+/* Attempts with wider reaches. After each, bodies move less, or meet other sides; four times other sides is
+   not expected. */
 enum { MAX_TRIES = 4 };
 
 /* Solves and judges. [out] again - whether a wider reach is needed */
@@ -61,8 +62,8 @@ static PetscErrorCode RunLeaveUnsolved_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Creates the inequality and its solver, from those of a coarser level if there are any. [in,out] older - run of the coarser
-   level, destroyed; or NULL */
+/* Creates the inequality and its solver, from those of a coarser level if there are any.
+   [in,out] older - run of the coarser level, destroyed; or NULL */
 static PetscErrorCode RunSetUp_Private(Run run, Run *older)
 {
   PetscFunctionBeginUser;
@@ -74,8 +75,9 @@ static PetscErrorCode RunSetUp_Private(Run run, Run *older)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One attempt, with the present reaches of the scene. [in] history - displacement from which slip counts, or NULL; [in,out]
-   older - of RunSetUp_Private(); [out] again - of ReachCheckRun() */
+/* One attempt, with the present reaches of the scene.
+   [in] history - displacement from which slip counts, or NULL; [in,out] older - of RunSetUp_Private();
+   [out] again - of ReachCheckRun() */
 static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, Vec guess, Vec history, Run *run_out,
                                             PetscBool *again)
 {
@@ -108,9 +110,9 @@ static PetscErrorCode RunCreateOnce_Private(Scene scene, Mesh mesh, Run *older, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error for a pair without partner. It is raised after the solution: where bodies moved farther than their
-   reach, a partner may have been found. With load steps it is a warning only, since a later step may close the gap.
-   Collective. */
+/* Raises a user error for a pair without partner. It is raised after the solution: where bodies moved farther
+   than their reach, a partner may have been found. With load steps it is a warning only, since a later step
+   may close the gap. Collective. */
 static PetscErrorCode RunCheckEmptyPairs_Private(const Run run)
 {
   if (run->scene->steps.num || (!run->refused && !run->certificate.holds))
@@ -144,8 +146,9 @@ static PetscErrorCode RunGiveUp_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Repeats RunCreateOnce_Private() until no wider reach is needed; then warns about the result. [in] history, [in,out] older -
-   of RunCreateOnce_Private(); [in] again - whether an attempt is needed; [in,out] run - of the last attempt, or NULL */
+/* Repeats RunCreateOnce_Private() until no wider reach is needed; then warns about the result.
+   [in] history, [in,out] older - of RunCreateOnce_Private(); [in] again - whether an attempt is needed;
+   [in,out] run - of the last attempt, or NULL */
 static PetscErrorCode RunTry_Private(Scene scene, Mesh mesh, Vec guess, Vec history, PetscBool again, Run older,
                                      Run *run)
 {
@@ -220,8 +223,8 @@ PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Extrapolates u to the present time from the last solutions: linearly from two of them, or proportionally to t, or the last
-   one. [out] guess - ghosted, owned by the caller; NULL without a solution */
+/* Extrapolates u to the present time from the last solutions: linearly from two of them, or proportionally to
+   t, or the last one. [out] guess - ghosted, owned by the caller; NULL without a solution */
 static PetscErrorCode RunExtrapolate_Private(Run run, Vec *guess)
 {
   const PetscReal t = run->scene->time, last = run->past[0].t, before = run->past[1].t;

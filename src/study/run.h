@@ -39,25 +39,28 @@ struct _n_Run {
 };
 typedef struct _n_Run *Run;
 
-/* Condenses, solves and judges on the finest level of a mesh; prints the model where -scene_view asks for it. User errors:
-   options that nothing has read; a pair without partner; those of VICreate() and of exact solutions. Collective.
-   [in] guess - initial guess of the displacement (ghosted, dim per node of that level), or NULL; [out] run - owned by the
-   caller */
+/* Condenses, solves and judges on the finest level of a mesh; prints the model where -scene_view asks for it.
+   User errors: options that nothing has read; a pair without partner; those of VICreate() and of exact
+   solutions. Collective.
+   [in] guess - initial guess of the displacement (ghosted, dim per node of that level), or NULL;
+   [out] run - owned by the caller */
 PetscErrorCode RunCreate(Scene scene, Mesh mesh, Vec guess, Run *run);
 /* Collective. */
 PetscErrorCode RunDestroy(Run *run);
-/* RunCreate() after a load step of another run of the same mesh: slip counts from there. Collective. [in] last - displacement
-   of that step, ghosted; [in] t - its time */
+/* RunCreate() after a load step of another run of the same mesh: slip counts from there. Collective.
+   [in] last - displacement of that step, ghosted; [in] t - its time */
 PetscErrorCode RunCreateAfter(Scene scene, Mesh mesh, Vec last, PetscReal t, Run *run);
 /* RunCreate(), but pretensions keep the strains of earlier solutions. Collective. */
 PetscErrorCode RunCreateTightened(Scene scene, Mesh mesh, Vec guess, Run *run);
-/* Replaces the run by one on the new finest level of MeshAdapt(). It takes over the scales, and the coarser levels of
-   multigrid with their matrices, smoothers and transfer. Collective. [in] guess - as of RunCreate(), not a Vec of the run;
+/* Replaces the run by one on the new finest level of MeshAdapt(). It takes over the scales, and the coarser
+   levels of multigrid with their matrices, smoothers and transfer. Collective.
+   [in] guess - as of RunCreate(), not a Vec of the run;
    [in,out] run */
 PetscErrorCode RunExtend(Vec guess, Run *run);
-/* Solves and judges once more, after a change of time or data of the scene (SceneSetTime(), SceneSetDatum()). Keeps matrices,
-   factors, levels and contact as far as scene->changed allows. If the stiffness changes, or -<pair>_reach is too small, it is
-   RunCreate(). Collective. [in] guess - initial guess of the displacement; NULL: extrapolated from the last solutions;
+/* Solves and judges once more, after a change of time or data of the scene (SceneSetTime(), SceneSetDatum()).
+   Keeps matrices, factors, levels and contact as far as scene->changed allows. If the stiffness changes, or
+   -<pair>_reach is too small, it is RunCreate(). Collective.
+   [in] guess - initial guess of the displacement; NULL: extrapolated from the last solutions;
    [in,out] run */
 PetscErrorCode RunAdvance(Vec guess, Run *run);
 /* Deletes the blocks "estimate" and "bars". Not collective. */

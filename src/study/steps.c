@@ -116,8 +116,9 @@ static PetscErrorCode StepsAddSummary_Private(const Steps *steps, Output output,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Completes all files. [in] fields - whether those of a new step are among them; [out] text - the summary, of the first rank, owned by the
-   caller (free()) */
+/* Completes all files.
+   [in] fields - whether those of a new step are among them; [out] text - the summary, of the first rank,
+   owned by the caller (free()) */
 static PetscErrorCode StepsWrite_Private(Steps *steps, Run run, PetscBool fields, char **text)
 {
   const Scene  scene = steps->scene;
@@ -230,7 +231,8 @@ static PetscErrorCode StepsSolve_Private(Steps *steps, PetscInt i, Mesh mesh, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Prints the results of the last step, as of a scene without steps, and on stderr the step that was not solved. */
+/* Prints the results of the last step, as of a scene without steps, and on stderr the step that was not
+   solved. */
 static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const char text[])
 {
   const Scene    scene = steps->scene;
@@ -295,8 +297,10 @@ static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The initial guess of a step: its displacement on the coarser mesh, plus the difference of the meshes in the step before.
-   [in] coarse - displacements of all steps on the coarser mesh, interpolated to this one; [in] run - of the step before;
+/* The initial guess of a step: its displacement on the coarser mesh, plus the difference of the meshes in the
+   step before.
+   [in] coarse - displacements of all steps on the coarser mesh, interpolated to this one;
+   [in] run - of the step before;
    [out] guess - ghosted, owned by the caller */
 static PetscErrorCode StepsCorrectGuess_Private(const Vec coarse[], PetscInt i, Run run, Vec *guess)
 {
@@ -329,8 +333,8 @@ static PetscErrorCode StepsSolveAll_Private(Steps *steps, Mesh mesh, Vec first, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* After the last mesh: prints the steps, and changes the status of those with errors larger than asked for. [in] met - whether
-   there are none; [in,out] text - as of StepsWrite_Private() */
+/* After the last mesh: prints the steps, and changes the status of those with errors larger than asked for.
+   [in] met - whether there are none; [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsJudge_Private(Steps *steps, PetscBool met, Run run, char **text)
 {
   cJSON   *row;
@@ -362,8 +366,9 @@ static PetscErrorCode StepsBeginAgain_Private(Steps *steps)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves all steps whole, in halves and in quarters. Files have the latest steps; in the end those of quarters, with their
-   limits. [in] first - guess for the first, or NULL; [in,out] text - as of StepsWrite_Private() */
+/* Solves all steps whole, in halves and in quarters. Files have the latest steps; in the end those of
+   quarters, with their limits.
+   [in] first - guess for the first, or NULL; [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
 {
   const MPI_Comm comm = steps->scene->comm;
@@ -396,7 +401,8 @@ static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves all steps on each adaptive mesh. Files have the steps of the latest mesh. [in] first - guess for the first, or NULL;
+/* Solves all steps on each adaptive mesh. Files have the steps of the latest mesh.
+   [in] first - guess for the first, or NULL;
    [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
 {

@@ -26,7 +26,8 @@ static void StudySetOrder_Private(Study study, PetscInt order)
     study->scene->bodies[b].order = order == STUDY_OWN_ORDERS ? study->own_orders[b] : order;
 }
 
-/* Whether a run fits into the memory that is allowed; if not, the record has the reason. [in] held - bytes in use; [out] fits */
+/* Whether a run fits into the memory that is allowed; if not, the record has the reason.
+   [in] held - bytes in use; [out] fits */
 static PetscErrorCode StudyFitsMemory_Private(Study study, Record *record, PetscReal held, PetscBool *fits)
 {
   const PetscReal allowed = study->scene->study.memory;
@@ -45,7 +46,8 @@ static PetscErrorCode StudyFitsMemory_Private(Study study, Record *record, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes the mesh of an order, or refines it, if that fits into memory. [in] held - bytes in use; [out] made - whether it did */
+/* Makes the mesh of an order, or refines it, if that fits into memory.
+   [in] held - bytes in use; [out] made - whether it did */
 static PetscErrorCode StudyMakeMesh_Private(Study study, PetscInt o, Record *record, PetscReal held, PetscBool *made)
 {
   const Scene scene = study->scene;
@@ -74,8 +76,8 @@ static PetscErrorCode StudyMakeMesh_Private(Study study, PetscInt o, Record *rec
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Interpolates the solution of the next coarser run to the mesh of this run. [out] guess - owned by the caller; NULL without
-   such a run */
+/* Interpolates the solution of the next coarser run to the mesh of this run.
+   [out] guess - owned by the caller; NULL without such a run */
 static PetscErrorCode StudyGetGuess_Private(Study study, PetscInt o, const Record *record, Vec *guess)
 {
   const PetscInt first   = study->mesh[o]->own;
@@ -106,7 +108,8 @@ static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on the finest mesh of an order, and fills the record. [out] refused - whether there is no solution */
+/* Solves on the finest mesh of an order, and fills the record.
+   [out] refused - whether there is no solution */
 static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record, PetscBool *refused)
 {
   Run     run;
@@ -144,8 +147,8 @@ static PetscErrorCode StudySolve_Private(Study study, PetscInt o, Record *record
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes the mesh, solves and writes files. [out] solved - whether the run is solved or skipped; [out] refused - whether there
-   is no solution */
+/* Makes the mesh, solves and writes files.
+   [out] solved - whether the run is solved or skipped; [out] refused - whether there is no solution */
 static PetscErrorCode StudyRunOne_Private(Study study, PetscInt o, PetscInt level, PetscBool *solved,
                                           PetscBool *refused)
 {

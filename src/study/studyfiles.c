@@ -10,7 +10,7 @@
 #include "study/studyimpl.h"
 #include "study/tablerow.h"
 
-/* --- <output>_study.csv ---------------------------------------------------------------------------------------------- */
+/* --- <output>_study.csv --------------------------------------------------------------------------------- */
 
 static void StudyRowFn(void *ctx, const Column *column)
 {
@@ -33,7 +33,7 @@ static void StudyWriteTable_Private(Study study, FILE *out)
   }
 }
 
-/* --- the block "study" of the summary -------------------------------------------------------------------------------- */
+/* --- the block "study" of the summary ------------------------------------------------------------------- */
 
 static void StudyObjectFn(void *ctx, const Column *column)
 {
@@ -125,7 +125,7 @@ PetscErrorCode StudySummary(Study study, char **text)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- all of them ----------------------------------------------------------------------------------------------------- */
+/* --- all of them ---------------------------------------------------------------------------------------- */
 
 /* Writes a file, whose text a callback makes on the first rank. Collective. */
 static PetscErrorCode StudyWriteFile_Private(Study study, const char suffix[], void (*write)(Study, FILE *))

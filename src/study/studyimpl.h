@@ -1,6 +1,7 @@
 /* studyimpl.h -- declarations that the files of this module share.
 
-   A study is a list of records, one for each run. All ranks have the same records; texts of files are on the first rank. */
+   A study is a list of records, one for each run. All ranks have the same records; texts of files are on the
+   first rank. */
 #ifndef MORTISE_STUDYIMPL_H
 #define MORTISE_STUDYIMPL_H
 
@@ -114,8 +115,8 @@ typedef struct {
 
 /* Takes one column. */
 typedef void (*ColumnFn)(void *ctx, const Column *column);
-/* Calls take for all columns of a record, in their order. Not collective. [in] errors_named - whether the names of differences
-   from the finest run end with "_to_finest" */
+/* Calls take for all columns of a record, in their order. Not collective.
+   [in] errors_named - whether the names of differences from the finest run end with "_to_finest" */
 void StudyColumnsVisit(Study study, const Record *record, PetscBool errors_named, ColumnFn take, void *ctx);
 
 /* --- studytable.c: the terminal --- */
@@ -133,19 +134,20 @@ PetscErrorCode StudyTableEnd(Study study);
 
 /* Expected bytes of a run besides those in use, from the runs of that order. Not collective. */
 PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns);
-/* Largest unknowns of the next level. Not collective. [in] record - of the next coarser level of that order */
+/* Largest unknowns of the next level. Not collective.
+   [in] record - of the next coarser level of that order */
 PetscInt CostForecastUnknowns(Study study, const Record *record);
 
 /* --- studyfiles.c: files, rewritten after every run --- */
 
-/* The summary of the best run, with the block "study". Not collective. [out] text - on the first rank, owned by the caller
-   (free()); NULL on others, and without fields */
+/* The summary of the best run, with the block "study". Not collective.
+   [out] text - on the first rank, owned by the caller (free()); NULL on others, and without fields */
 PetscErrorCode StudySummary(Study study, char **text);
 
 /* Completes the files of all runs so far. Collective. */
 PetscErrorCode StudyWriteFiles(Study study);
-/* Takes fields and summary of the finest run of the highest order so far; without a solution, the motion that shows that.
-   StudyWriteFiles() completes their files. Collective. */
+/* Takes fields and summary of the finest run of the highest order so far; without a solution, the motion that
+   shows that. StudyWriteFiles() completes their files. Collective. */
 PetscErrorCode StudyWriteBest(Study study, Run run);
 
 #endif

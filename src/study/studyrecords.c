@@ -11,7 +11,7 @@
 
 static const char *const axes[] = {"x", "y", "z"};
 
-/* --- names ----------------------------------------------------------------------------------------------------------- */
+/* --- names ---------------------------------------------------------------------------------------------- */
 
 /* Appends a quantity whose size is its own value. [in] owner, axis - may be "" */
 static Quantity *StudyAddQuantity_Private(Study study, const char key[], const char label[], const char owner[],
@@ -66,7 +66,8 @@ static void StudyAddErrors_Private(Study study, const char owner[], const char f
   }
 }
 
-/* Names the errors, in the order of RecordErrors_Private(): of all bodies together, or of those with an exact solution. */
+/* Names the errors, in the order of RecordErrors_Private(): of all bodies together, or of those with an exact
+   solution. */
 static PetscErrorCode StudyNameErrors_Private(Study study)
 {
   const Scene scene = study->scene;
@@ -91,7 +92,7 @@ static PetscErrorCode StudyNameErrors_Private(Study study)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- create and destroy ------------------------------------------------------------------------------------------------------------ */
+/* --- create and destroy --------------------------------------------------------------------------------- */
 
 PetscErrorCode StudyCreate(Scene scene, Study *study_out)
 {
@@ -165,7 +166,7 @@ Record *StudyFindCoarser(Study study, PetscInt order, PetscInt level)
   return found;
 }
 
-/* --- results of a run ------------------------------------------------------------------------------------------------ */
+/* --- results of a run ----------------------------------------------------------------------------------- */
 
 PetscErrorCode RecordMesh(Record *record, Level *level)
 {
@@ -298,9 +299,10 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* --- orders of convergence ------------------------------------------------------------------------------------------- */
+/* --- orders of convergence ------------------------------------------------------------------------------ */
 
-/* Number of halvings of h between two meshes; for adaptive meshes, between uniform ones with as many unknowns. */
+/* Number of halvings of h between two meshes; for adaptive meshes, between uniform ones with as many
+   unknowns. */
 static PetscReal RecordHalvings_Private(Study study, const Record *coarser, const Record *record)
 {
   if (study->scene->study.kind == STUDY_UNIFORM) return record->level - coarser->level;
