@@ -66,7 +66,7 @@ static PetscErrorCode LevelDescribeCells_Private(const Level *level, const Petsc
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
-    cells[c] = (ForestCell){.cell = origin[begin + c - first], .type = level->cell_type[c]};
+    cells[c] = (ForestCell){.cell = origin[begin + c - first], .type = level->cell_type[c], .age = NOT_BISECTED};
     for (PetscInt i = 0; i <= level->dim; i++) cells[c].vertex[i] = origin[point[nodes[i]] - first] - num_all;
     for (PetscInt k = 0; k < ElementNumNodes((ElementType)level->cell_type[c]); k++)
       cells[c].nodes[k] = level->node_global[nodes[k]];
@@ -208,6 +208,44 @@ static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestC
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Sets the ages of the cells of a tree: parents with one child were not bisected. [in] before - its cells before; [out] cells */
+static PetscErrorCode TreeSetAges_Private(const Tree *tree, const ForestCell before[], ForestCell cells[])
+{
+  const Bisection *mesh = &tree->mesh;
+  PetscInt        *children;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(tree->num_before, &children));
+  for (PetscInt c = 0; c < mesh->num_cells; c++) children[mesh->parent[c]]++;
+  for (PetscInt c = 0; c < mesh->num_cells; c++) {
+    const PetscInt age = before[mesh->parent[c]].age;
+
+    cells[c].age = children[mesh->parent[c]] > 1 ? 0 : age == NOT_BISECTED ? NOT_BISECTED : age + 1;
+  }
+  PetscCall(PetscFree(children));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sends the ages of all cells to their ranks. Collective. [in] before - cells of the coarse level, on the first rank */
+static PetscErrorCode MeshForestSetAges_Private(MeshForest forest, const ForestCell before[], Level *fine)
+{
+  PetscInt *all = NULL, first = 0, first_before = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < forest->num_bodies && forest->num_cells; b++) {
+    PetscCall(TreeSetAges_Private(&forest->tree[b], &before[first_before], &forest->cell[first]));
+    first += forest->tree[b].mesh.num_cells;
+    first_before += forest->tree[b].num_before;
+  }
+  if (forest->num_cells) PetscCall(PetscMalloc1(forest->num_cells, &all));
+  for (PetscInt i = 0; i < forest->num_cells; i++) all[i] = forest->cell[forest->gathered[i]].age;
+  PetscCall(PetscMalloc1(fine->num_cells, &fine->cell_age));
+  PetscCallMPI(MPI_Scatterv(all, forest->counts, forest->begins, MPIU_INT, fine->cell_age, (PetscMPIInt)fine->num_cells,
+                            MPIU_INT, 0, fine->comm));
+  PetscCall(PetscFree(all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
 {
   MeshForest  forest = mesh->forest;
@@ -236,6 +274,7 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   PetscCall(PartitionDistribute(mesh->scene, 0, &dm, &curves, &origin));
   PetscCall(LevelCreateFromPlex(mesh->scene, dm, &curves, fine));
   PetscCall(MeshForestGather(forest, fine, origin));
+  PetscCall(MeshForestSetAges_Private(forest, before, fine));
   PetscCall(MeshForestProlong_Private(forest, before, fine - 1, fine));
   mesh->num_levels++;
   PetscCall(LevelTurnCells(fine, NULL));

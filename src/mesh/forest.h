@@ -15,6 +15,7 @@ typedef struct {
   PetscInt cell;                          /* in the lists, body after body */
   PetscInt vertex[BISECT_MAX_VERTICES];   /* in the lists of all bodies, in the order of the level */
   PetscInt type, nodes[FOREST_MAX_NODES]; /* global nodes of the level */
+  PetscInt age;                           /* Level.cell_age */
 } ForestCell;
 
 /* A vertex on a facet of the first list, where that belongs to a smooth side or to a side fixed along its normal. */

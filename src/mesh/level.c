@@ -80,6 +80,7 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscCall(PetscFree3(level->node_global, level->node_body, level->coords));
   PetscCall(PetscFree(level->unmapped));
   if (level->cell_material != level->cell_body) PetscCall(PetscFree(level->cell_material));
+  PetscCall(PetscFree(level->cell_age));
   PetscCall(PetscFree3(level->cell_start, level->cell_type, level->cell_body));
   PetscCall(PetscFree(level->cell_nodes));
   PetscCall(MatDestroy(&level->prolongation));

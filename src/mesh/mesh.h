@@ -14,6 +14,8 @@
 #include "kernel/element.h"
 #include "scene/scene.h"
 
+enum { NOT_BISECTED = -1 };
+
 /* Tables of one level on this rank. A cell is on exactly one rank; a node between ranks is on several, and one of them
    owns it. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node + component. */
 typedef struct {
@@ -27,7 +29,10 @@ typedef struct {
   PetscInt *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */
   PetscInt *cell_body;                       /* [num_cells] */
   /* Index of SceneGetMaterial() [num_cells]; the same array as cell_body where no body has regions. */
-  PetscInt  *cell_material;
+  PetscInt *cell_material;
+  /* Levels since MeshAdapt() bisected what the cell is a part of: 0 on the level that it made then, NOT_BISECTED where it
+     never did [num_cells]; NULL where all cells are new. */
+  PetscInt  *cell_age;
   PetscReal *coords;       /* positions after the map [num_nodes][dim] */
   PetscInt  *node_global;  /* [num_nodes] */
   PetscInt  *node_body;    /* [num_nodes] */

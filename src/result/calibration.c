@@ -2,7 +2,10 @@
 #include "result/calibration.h"
 #include "base/compat.h"
 
-enum { NUM_RATIOS = 3 }; /* the standard, and those of the latest two pairs of meshes */
+enum {
+  NUM_RATIOS = 3, /* the standard, and those of the latest two pairs of meshes */
+  SETTLED    = 2  /* age at which a cell's theta no longer changes: the next two refinements measured its neighbours */
+};
 
 static const PetscReal SMALLEST = 0.5, LARGEST = 4; /* of theta */
 static const PetscReal LEAST_FALL =
@@ -25,12 +28,12 @@ PetscErrorCode CalibrationGetStandard(const Level *level, PetscReal *theta)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscReal CalibrationFind(PetscInt num, const CalibrationMesh mesh[], PetscReal standard)
+/* theta of the latest decreases. */
+static PetscReal CalibrationMeasure_Private(PetscInt num, const CalibrationMesh mesh[], PetscReal standard)
 {
   PetscReal ratio[NUM_RATIOS] = {standard};
   PetscInt  found             = 1;
 
-  if (num < 3) return standard;
   for (PetscInt k = num - 1; k > 0 && found < NUM_RATIOS; k--) {
     const PetscReal fall = mesh[k - 1].squared - mesh[k].squared;
     PetscInt        i    = found;
@@ -43,4 +46,20 @@ PetscReal CalibrationFind(PetscInt num, const CalibrationMesh mesh[], PetscReal 
     found++;
   }
   return PetscMin(LARGEST, PetscMax(SMALLEST, found % 2 ? ratio[found / 2] : (ratio[0] + ratio[found - 1]) / 2));
+}
+
+PetscReal CalibrationFind(PetscInt num, const CalibrationMesh mesh[], PetscReal standard, const Estimate estimate)
+{
+  const PetscReal all    = estimate->squared - estimate->geometry;
+  PetscReal       others = all, sum = 0;
+
+  if (num == 1 || !(all > 0)) return standard;
+  for (PetscInt age = 0; age < MESH_MAX_ADAPTED; age++) {
+    const PetscInt meshes = PetscMax(num - PetscMax(0, age - SETTLED), PetscMin(num, SETTLED + 1));
+
+    if (!(estimate->aged[age] > 0)) continue;
+    sum += PetscSqr(CalibrationMeasure_Private(meshes, mesh, standard)) * estimate->aged[age];
+    others -= estimate->aged[age];
+  }
+  return PetscSqrtReal((sum + PetscSqr(standard) * PetscMax(0, others)) / all);
 }

@@ -114,6 +114,16 @@ static PetscErrorCode EstimateShareHidden_Private(MPI_Comm comm, PetscInt num, H
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* This rank's part. */
+static void EstimateSetAged_Private(const Level *level, Estimate e)
+{
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const PetscInt age = level->cell_age ? level->cell_age[c] : 0;
+
+    if (age != NOT_BISECTED) e->aged[age] += e->cell[c];
+  }
+}
+
 /* All but norm and potential. [in] frozen - or NULL */
 static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen *frozen, Estimate *estimate)
 {
@@ -125,17 +135,19 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&e));
-  PetscCall(PetscCalloc4(level->num_cells, &e->cell, level->num_cells, &e->volume, num, &e->body, fields->vi->num_pairs,
-                         &e->hidden));
+  PetscCall(PetscCalloc5(level->num_cells, &e->cell, level->num_cells, &e->volume, num, &e->body, fields->vi->num_pairs,
+                         &e->hidden, MESH_MAX_ADAPTED, &e->aged));
   PetscCall(ComplianceCreate(level->scene, &compliance));
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
   PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs, e->hidden));
   PetscCall(EstimateShareHidden_Private(level->comm, fields->vi->num_pairs, e->hidden));
   if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->signs));
+  EstimateSetAged_Private(level, e);
   if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
   PetscCall(ComplianceDestroy(&compliance));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, e->body, (PetscMPIInt)num, MPIU_REAL, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, e->aged, MESH_MAX_ADAPTED, MPIU_REAL, MPI_SUM, level->comm));
   sums[0] = e->signs;
   sums[1] = e->geometry;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, level->comm));
@@ -216,7 +228,8 @@ PetscErrorCode EstimateDestroy(Estimate *estimate)
 {
   PetscFunctionBeginUser;
   if (!*estimate) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscFree4((*estimate)->cell, (*estimate)->volume, (*estimate)->body, (*estimate)->hidden));
+  PetscCall(
+      PetscFree5((*estimate)->cell, (*estimate)->volume, (*estimate)->body, (*estimate)->hidden, (*estimate)->aged));
   PetscCall(PetscFree(*estimate));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -21,6 +21,7 @@ struct _n_Estimate {
   PetscReal *body;     /* sums over the cells of each body, the same on all ranks [num_bodies] */
   PetscReal  squared;  /* their sum */
   PetscReal  geometry; /* the part of GeometryAdd(): it needs no calibration */
+  PetscReal *aged;     /* parts of the rest: cells of each Level.cell_age; the same on all ranks [MESH_MAX_ADAPTED] */
   PetscReal
       signs; /* L = -2 int lambda . d - 2 int W s - 2 int s* n . (u_D - u): with the error e,  2 (J_h - J) = |e|^2 + L */
   PetscReal      norm;      /* |u|_a^2: twice the strain energy */

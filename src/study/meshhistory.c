@@ -26,7 +26,7 @@ static PetscReal SolvedMeshGetExcess_Private(const SolvedMesh *mesh)
 
 /* Sets theta of the latest mesh. With friction it is the standard value: the potential is not an energy that refinement
    lowers. Collective. */
-static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level)
+static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level, const Estimate estimate)
 {
   CalibrationMesh *meshes;
   PetscReal        standard;
@@ -41,7 +41,7 @@ static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const L
         (CalibrationMesh){.squared = PetscSqr(mesh->eta) - mesh->geometry, .energy = 2 * mesh->potential - mesh->signs};
   }
   history->mesh[history->num - 1].theta =
-      SceneHasFriction(level->scene) ? standard : CalibrationFind(history->num, meshes, standard);
+      SceneHasFriction(level->scene) ? standard : CalibrationFind(history->num, meshes, standard, estimate);
   PetscCall(PetscFree(meshes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -76,7 +76,7 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
                        .signs      = estimate->signs};
   PetscCall(VecNorm(run->fields->u, NORM_INFINITY, &size));
   if (mesh->norm <= PetscSqr(RIGID * size) * run->vi->stiffness) mesh->norm = 0;
-  PetscCall(MeshHistoryCalibrate_Private(history, level));
+  PetscCall(MeshHistoryCalibrate_Private(history, level, estimate));
   mesh->error = EstimateGetError(estimate, mesh->theta);
   PetscCall(SummaryCreateStep(&input, &mesh->row));
   mesh->seconds = seconds + LogWallClock() - begin;

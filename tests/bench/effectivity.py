@@ -30,6 +30,7 @@ EXACT = {
     "annulus": ("../tests/adapt/annulus", "", 2, 12),
     "annulus, order 1": ("../tests/adapt/annulus", "", 1, 12),
 }
+PUNCH = ("punch", "", 11)
 SHELLS = ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2", 5)
 
 
@@ -42,10 +43,10 @@ def solve(program, name, arguments, meshes):
 
 
 def judge(summary):
-    """Estimate over error of each mesh that counts."""
+    """Estimate over error of each mesh that counts; the estimate of the first one has no calibration."""
     limit, meshes = summary["estimate"]["potential"]["value"], summary["estimate"]["meshes"]
     last = meshes[-1]["estimate"]
-    for mesh in meshes:
+    for mesh in meshes[1:]:
         squared = 2 * (mesh["potential"] - limit)
         if mesh["unknowns"] > SMALLEST and mesh["estimate"] > FARTHER * last and squared > 0:
             yield mesh["estimate"] / math.sqrt(squared)
@@ -80,6 +81,7 @@ def main():
                 every += row(f"two plates, order {order}, upper 1e{exponent} times as stiff, {role} nonmortar", judge(summary))
     for name, scene in EXACT.items():
         every += row(name, study(program, *scene))
+    every += row("flat punch, from a graded mesh", judge(solve(program, *PUNCH)))
     every += row("spherical shells", judge(solve(program, *SHELLS)))
     inside = sum(0.8 <= effectivity <= 1.35 for effectivity in every)
     print(f"| all | {len(every)} | {100 * inside / len(every):.1f} % between .8 and 1.35 |")
