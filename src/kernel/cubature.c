@@ -74,6 +74,15 @@ static PetscErrorCode CubatureProduct_Private(Cubature *cubature, PetscInt num, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscReal CubatureDifference(const Cubature *cubature, const PetscReal a[], const PetscReal b[])
+{
+  PetscReal most = 0.;
+
+  for (PetscInt i = 0; i < cubature->size; i++)
+    most = PetscMax(most, PetscAbsReal(a[i] - b[i]) / cubature->tolerance[i]);
+  return most;
+}
+
 PetscErrorCode CubatureGauss(Cubature *cubature, PetscInt num, PetscReal value[])
 {
   PetscReal s[CUBATURE_MAX_GAUSS], w[CUBATURE_MAX_GAUSS];

@@ -58,4 +58,7 @@ PetscErrorCode CubatureMayJump(Cubature *cubature, PetscBool *may);
    tolerance */
 PetscErrorCode CubatureSwitches(Cubature *cubature, PetscReal value[], PetscReal *error);
 
+/* The largest difference of two rules in units of the tolerance. Not collective. [in] a, b - [size] */
+PetscReal CubatureDifference(const Cubature *cubature, const PetscReal a[], const PetscReal b[]);
+
 #endif

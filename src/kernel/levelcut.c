@@ -203,16 +203,6 @@ static PetscErrorCode LevelCutBox_Private(Cut *cut, const LevelSetBox *given, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The difference of two rules in units of the tolerance. */
-static PetscReal LevelCutDifference_Private(const Cubature *cubature, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal most = 0.;
-
-  for (PetscInt i = 0; i < cubature->size; i++)
-    most = PetscMax(most, PetscAbsReal(a[i] - b[i]) / cubature->tolerance[i]);
-  return most;
-}
-
 /* The integral over a box of the cell by rules with more and more points.
    [out] miss - difference of the last two */
 static PetscErrorCode LevelCutCompare_Private(Cut *cut, const LevelSetBox *box, const LevelSetTrend *trend,
@@ -227,7 +217,7 @@ static PetscErrorCode LevelCutCompare_Private(Cut *cut, const LevelSetBox *box, 
     cut->points = box->num ? CUT_POINTS[r] : WHOLE_POINTS[r];
     PetscCall(PetscArrayzero(finer, cubature->size));
     PetscCall(LevelCutBox_Private(cut, box, trend, 0, finer));
-    if (r > 0) *miss = LevelCutDifference_Private(cubature, value, finer);
+    if (r > 0) *miss = CubatureDifference(cubature, value, finer);
     PetscCall(PetscArraycpy(value, finer, cubature->size));
     if (r > 0 && (*miss <= BOX_SHARE || *miss > HOPELESS * BOX_SHARE || cubature->count > cubature->budget)) break;
   }
@@ -275,7 +265,7 @@ static PetscErrorCode LevelCutFindRough_Private(Cut *cut, const LevelSetBox *box
         for (PetscInt i = 0; i < size; i++) sums[r][i] += w[q] * v[i];
       }
     }
-    difference = LevelCutDifference_Private(cut->cell.cubature, sums[0], sums[1]);
+    difference = CubatureDifference(cut->cell.cubature, sums[0], sums[1]);
     if (difference <= most) continue;
     most   = difference;
     *rough = k;

@@ -210,3 +210,12 @@ PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[])
   }
   return 1. / compliance;
 }
+
+PetscReal MaterialEnergyDensity(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
+{
+  PetscReal density = 0;
+
+  for (PetscInt r = 0; r < num_strains; r++)
+    for (PetscInt s = 0; s < num_strains; s++) density += strain[r] * C[r * num_strains + s] * strain[s];
+  return density;
+}

@@ -46,6 +46,10 @@ PetscReal MaterialTakeBulk(PetscInt num_strains, PetscReal C[]);
 PetscReal MaterialDilatation(PetscInt num_strains, const PetscReal strain[]);
 
 PetscReal MaterialVonMises(const PetscReal stress[6]);
+/* eps : C eps, twice the energy per volume. Not collective.
+   [in] C - [num_strains][num_strains]; [in] strain - [num_strains] */
+PetscReal MaterialEnergyDensity(PetscInt num_strains, const PetscReal C[], const PetscReal strain[]);
+
 /* Principal stresses, the largest first; NAN, all three, where a component is not known. */
 void MaterialPrincipal(const PetscReal stress[6], PetscReal principal[3]);
 

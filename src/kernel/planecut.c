@@ -278,16 +278,6 @@ static PetscInt CellSimplices_Private(const Reference *cell, Simplex stack[])
   return num;
 }
 
-/* The difference of two rules in units of the tolerance. */
-static PetscReal CubatureDifference_Private(const Cubature *cubature, const PetscReal a[], const PetscReal b[])
-{
-  PetscReal most = 0.;
-
-  for (PetscInt i = 0; i < cubature->size; i++)
-    most = PetscMax(most, PetscAbsReal(a[i] - b[i]) / cubature->tolerance[i]);
-  return most;
-}
-
 PetscErrorCode CubaturePlanes(Cubature *cubature, PetscReal value[], PetscReal *error)
 {
   enum { COARSE = 5, FINE = 6 };
@@ -316,7 +306,7 @@ PetscErrorCode CubaturePlanes(Cubature *cubature, PetscReal value[], PetscReal *
     if (!num_cuts) {
       PetscCall(SimplexIntegrate_Private(&part, &simplex, FINE, fine));
       if (!sliver) PetscCall(SimplexIntegrate_Private(&part, &simplex, COARSE, coarse));
-      if (!sliver) miss = CubatureDifference_Private(cubature, fine, coarse);
+      if (!sliver) miss = CubatureDifference(cubature, fine, coarse);
     }
     if (!num_cuts && miss <= PART_SHARE) {
       for (PetscInt i = 0; i < cubature->size; i++) value[i] += fine[i];

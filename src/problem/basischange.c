@@ -236,7 +236,7 @@ static PetscErrorCode BasisChangeCountE_Private(VI vi, const Couplings *coupling
       PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
       nnz[node] += num;
       PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
-      PetscCall(PairArmsCount(couplings->arm[p], dim * (vi->level->node_begin + node), &num));
+      PetscCall(CouplingsCountRow(couplings->arm[p], dim * (vi->level->node_begin + node), &num));
       nnz[node] += (num + dim - 1) / dim;
     }
   }

@@ -126,14 +126,13 @@ static PetscErrorCode CouplingsCreateBasis_Private(const Pair pair, Mat shift, M
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Number of entries of a row of a transformation; 0 where it is NULL. */
-static PetscErrorCode CouplingsCountTransformation_Private(Mat shift, PetscInt row, PetscInt *num)
+PetscErrorCode CouplingsCountRow(Mat A, PetscInt row, PetscInt *num)
 {
   PetscFunctionBeginUser;
   *num = 0;
-  if (!shift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatGetRow(shift, row, num, NULL, NULL));
-  PetscCall(MatRestoreRow(shift, row, NULL, NULL, NULL));
+  if (!A) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatGetRow(A, row, num, NULL, NULL));
+  PetscCall(MatRestoreRow(A, row, NULL, NULL, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -149,8 +148,8 @@ static PetscErrorCode CouplingsIsInconsistent_Private(const Pair pair, const Pai
   if (!other->to_nodal) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscInt row = pair->level->node_begin + pair->nodes[k];
-    PetscCall(CouplingsCountTransformation_Private(other->to_nodal, row, &num));
-    PetscCall(CouplingsCountTransformation_Private(pair->to_nodal, row, &num_own));
+    PetscCall(CouplingsCountRow(other->to_nodal, row, &num));
+    PetscCall(CouplingsCountRow(pair->to_nodal, row, &num_own));
     *torn = (PetscBool)(*torn || (num > 0 && num != num_own));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -225,16 +225,6 @@ PetscErrorCode EigenstrainCheck(Scene scene, Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* eps : C eps */
-static PetscReal EigenstrainGetDensity_Private(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
-{
-  PetscReal density = 0;
-
-  for (PetscInt r = 0; r < num_strains; r++)
-    for (PetscInt s = 0; s < num_strains; s++) density += strain[r] * C[r * num_strains + s] * strain[s];
-  return density;
-}
-
 /* The energy of a cell with displacement u less eps_0, and that of eps_0 alone. [in] u - local form */
 static void EigenstrainAddEnergy_Private(Scene scene, const Cell *cell, const PetscScalar u[], PetscReal *energy,
                                          PetscReal *constant)
@@ -256,12 +246,12 @@ static void EigenstrainAddEnergy_Private(Scene scene, const Cell *cell, const Pe
       change_0 = EigenstrainGetChange_Private(cell, q, q_a);
       change   = DilatationEvaluate(&cell->pi, &cell->x[q * cell->dim], ue) - change_0;
     }
-    *energy += 0.5 * cell->w[q] *
-               (EigenstrainGetDensity_Private(ns, cell->C[q], strain) + cell->bulk[q] * PetscSqr(change) +
-                cell->e[q].across_energy);
+    *energy +=
+        0.5 * cell->w[q] *
+        (MaterialEnergyDensity(ns, cell->C[q], strain) + cell->bulk[q] * PetscSqr(change) + cell->e[q].across_energy);
     *constant += 0.5 * cell->w[q] *
-                 (EigenstrainGetDensity_Private(ns, cell->C[q], cell->e[q].strain) +
-                  cell->bulk[q] * PetscSqr(change_0) + cell->e[q].across_energy);
+                 (MaterialEnergyDensity(ns, cell->C[q], cell->e[q].strain) + cell->bulk[q] * PetscSqr(change_0) +
+                  cell->e[q].across_energy);
   }
 }
 

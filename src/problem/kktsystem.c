@@ -38,7 +38,7 @@ static PetscErrorCode KKTSystemCountRow_Private(VI vi, const Couplings *coupling
   } else {
     *nnz = vi->level->dim;
   }
-  PetscCall(PairArmsCount(pair->arm, vi->level->dim * node, &num));
+  PetscCall(CouplingsCountRow(pair->arm, vi->level->dim * node, &num));
   *nnz += num;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

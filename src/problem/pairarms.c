@@ -2,16 +2,6 @@
 #include "base/compat.h"
 #include "problem/pairarms.h"
 
-PetscErrorCode PairArmsCount(Mat arm, PetscInt row, PetscInt *num)
-{
-  PetscFunctionBeginUser;
-  *num = 0;
-  if (!arm) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatGetRow(arm, row, num, NULL, NULL));
-  PetscCall(MatRestoreRow(arm, row, NULL, NULL, NULL));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks)
 {
   PetscInt        num;

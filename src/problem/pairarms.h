@@ -5,8 +5,6 @@
 
 #include "problem/basischange.h"
 
-/* Entries of the rows of a node that this rank owns. Not collective. [in] row - the node's first */
-PetscErrorCode PairArmsCount(Mat arm, PetscInt row, PetscInt *num);
 /* Marks the nodes in the rows of a node. Not collective.
    [in] row - the node's first; [in,out] marks - one of each node */
 PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks);

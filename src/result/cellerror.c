@@ -86,16 +86,6 @@ static void CellErrorGetStrain_Private(Scene scene, const PetscReal x[], const P
   }
 }
 
-/* eps : C eps */
-static PetscReal CellErrorGetEnergyDensity_Private(PetscInt num_strains, const PetscReal C[], const PetscReal strain[])
-{
-  PetscReal density = 0;
-
-  for (PetscInt r = 0; r < num_strains; r++)
-    for (PetscInt s = 0; s < num_strains; s++) density += strain[r] * C[r * num_strains + s] * strain[s];
-  return density;
-}
-
 /* Adds the energies of e = u - v and of v, whose strains are given, at one point of cell c with weight dx. In
    cells with a Pi the change of volume of u is that of eq. 9.1. Between two nodal vectors it is left out
    there: that of a coarser mesh cannot be seen on the finer one. */
@@ -111,8 +101,8 @@ static PetscErrorCode CellErrorAddEnergy_Private(const Comparison *compare, Pets
   PetscFunctionBeginUser;
   PetscCall(ElasticityHooke(compare->scene, level->cell_material[c], x, C, &poisson));
   bulk = pi->num ? MaterialTakeBulk(num_strains, C) : 0;
-  sum->error_energy += dx * CellErrorGetEnergyDensity_Private(num_strains, C, strains[0]);
-  sum->size_energy += dx * CellErrorGetEnergyDensity_Private(num_strains, C, strains[1]);
+  sum->error_energy += dx * MaterialEnergyDensity(num_strains, C, strains[0]);
+  sum->size_energy += dx * MaterialEnergyDensity(num_strains, C, strains[1]);
   if (!pi->num || compare->v) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt i = 0; i < pi->num_dofs; i++) u[i] = PetscRealPart(compare->u[nodes[i / dim] * dim + i % dim]);
   change = MaterialDilatation(num_strains, strains[1]);
