@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text: house.py <layers|sizes|options|warnings|tunables|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text: house.py <layers|sizes|comments|options|warnings|tunables|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
 import fnmatch
 import pathlib
 import re
@@ -7,6 +7,7 @@ import sys
 
 MAX_FILE, MAX_FUNCTION, MAX_ARGUMENTS = 600, 80, 7
 MAX_WORDS = 1000  # of the front page
+MAX_LINE, MAX_COMMENT, MAX_CLAUSE = 132, 110, 25  # columns of a line, of one that is a comment alone; words between two marks of punctuation
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 PETSC_OWN = re.compile(r"-(skip_petscrc|options_file_yaml|dm_plex_gmsh_\w+)")  # set or passed on here, not ours to document
 ROW = re.compile(r"^\| (\d+) \| `(\w+)` \| ([^|]*) \|", re.MULTILINE)
@@ -54,12 +55,17 @@ def strip_comments(text):
 
 
 def check_calls(top, layer):
-    """No module uses a function that is defined in a higher layer, whoever declares it: else calls between modules could form a cycle."""
+    """No module uses a function that is defined in a higher layer, whoever declares it: else calls between modules could form a cycle. Helpers have names of their own."""
     texts = {path: strip_comments(path.read_text()) for path in sorted(top.glob("src/*/*.c"))}
     owner = {}
     for path, text in texts.items():
         for signature in re.findall(r"^(?!static\b)\w[^;{}()=#]*?\b(\w+)\([^;{}]*\)\s*\{$", text, re.MULTILINE):
             owner[signature] = path.parent.name
+    helpers = {}
+    for path, text in texts.items():
+        for name in re.findall(r"^static\b[^;{}()=#]*?\b(\w+)\([^;{}]*\)\s*\{$", text, re.MULTILINE):
+            if helpers.setdefault(name, path) != path:
+                yield f"{path.relative_to(top)} and {helpers[name].relative_to(top)} have different functions {name}(): a profile cannot tell them apart"
     for path, text in texts.items():
         module = path.parent.name
         for name in sorted(set(re.findall(r"\b[A-Z]\w+", text)) & set(owner)):
@@ -125,6 +131,48 @@ def check_sizes(top):
                     yield f"{file}:{number}: {match.group(1)}() has {count_arguments(signature)} arguments, more than {MAX_ARGUMENTS}"
             if line == "}" and begin and number - begin > MAX_FUNCTION:
                 yield f"{file}:{begin + 1}: a function of {number - begin} lines, more than {MAX_FUNCTION}"
+
+
+# --- comments ---------------------------------------------------------------------------------------------------------
+
+
+def read_comments(text):
+    """Comments of C with their places; // on lines that follow each other are one."""
+    comments = []
+    for match in re.finditer(r'/\*.*?\*/|//[^\n]*|"(?:[^"\\\n]|\\.)*"', text, flags=re.DOTALL):
+        begin, comment = match.start(), match.group()
+        if comment.startswith('"'):
+            continue
+        if comments and comment.startswith("//") and comments[-1][1].startswith("//") and re.fullmatch(r" *\n *", text[comments[-1][2]:begin]):
+            comments[-1] = (comments[-1][0], comments[-1][1] + "\n" + comment, match.end())
+        else:
+            comments.append((begin, comment, match.end()))
+    return comments
+
+
+def count_words(clause):
+    """Words, without names and formulas."""
+    return len(re.findall(r"(?<![\w_(.])[A-Za-z][a-z'-]*[a-z](?![\w_(])", clause))
+
+
+def check_comments(top):
+    """Lines end in time, and clauses of comments are short: a sentence has a mark of punctuation before its 26th word."""
+    for path in sources(top):
+        file, text = path.relative_to(top), path.read_text()
+        alone = set()
+        for begin, comment, _ in read_comments(text):
+            number, head = text.count("\n", 0, begin) + 1, text[text.rfind("\n", 0, begin) + 1:begin]
+            if not head.strip():
+                alone.update(range(number, number + comment.count("\n") + 1))
+            words = re.sub(r"\n[ */]*\n", ". ", comment.strip("/* "))  # a paragraph ends a sentence
+            words = re.sub(r"\b(eqs?|e\.g|i\.e)\.", r"\1", re.sub(r"\n[ */]*", " ", re.sub(r"\[(in|out|in,out)\]", ". ", words)))
+            for clause in re.split(r"[.?!;:][)\"]?(?:\s+|$)", words):
+                if count_words(clause) > MAX_CLAUSE:
+                    yield f"{file}:{number}: {count_words(clause)} words without a mark of punctuation, more than {MAX_CLAUSE}: {clause.strip()[:60]}..."
+        for number, line in enumerate(text.splitlines(), 1):
+            most = MAX_COMMENT if number in alone and not re.search(r"\*/ *\S", line) else MAX_LINE
+            if len(line) > most:
+                yield f"{file}:{number}: {len(line)} columns, more than {most}"
 
 
 # --- options ----------------------------------------------------------------------------------------------------------
@@ -243,8 +291,11 @@ def check_tunables(top):
 
 
 def check_theory(top):
-    """Equations of src/THEORY.md are numbered in order, section by section, and every equation that the tree cites exists."""
+    """Equations of src/THEORY.md are numbered in order, section by section; its contents are those of the page; every equation that the tree cites exists."""
     text = (top / "src/THEORY.md").read_text()
+    listed = re.findall(r"\| (\d+) \| ([^|]+?) (?=\|)", text.split("\n## ")[0])
+    headings = re.findall(r"^## (\d+)\. (.*)$", text, re.MULTILINE)
+    yield from (f"src/THEORY.md: {number}. {title} is either no heading or not in the contents" for number, title in sorted(set(listed) ^ set(headings)))
     section, last, numbers = 0, 0, set()
     for line in text.splitlines():
         heading, tag = re.match(r"## (\d+)\.", line), re.match(r" {4}.*\((\d+)\.(\d+)\)$", line)
@@ -302,7 +353,7 @@ def check_pages(top):
 
 
 def main():
-    checks = {"layers": check_layers, "sizes": check_sizes, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables, "warns": check_warns,
+    checks = {"layers": check_layers, "sizes": check_sizes, "comments": check_comments, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables, "warns": check_warns,
               "pages": check_pages}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))

@@ -1,8 +1,9 @@
 /* adapt.c -- one more level by bisection of marked cells.
 
-   The first rank bisects, in integer arithmetic. Its new lists of cells become one DMPlex, which is partitioned anew: so
-   every level is balanced, and sides that may meet share ranks. For the prolongation, the first rank gathers the global
-   nodes of all cells of both levels; it knows the parent of each cell, and the position of the cell in it. */
+   The first rank bisects, in integer arithmetic. Its new lists of cells become one DMPlex, which is
+   partitioned anew: so every level is balanced, and sides that may meet share ranks. For the prolongation,
+   the first rank gathers the global nodes of all cells of both levels; it knows the parent of each cell, and
+   the position of the cell in it. */
 #include "mesh/forest.h"
 #include "base/compat.h"
 
@@ -51,9 +52,9 @@ PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Describes the cells of this rank. Their numbers and those of their vertices are the points of the DM of all ranks, in
-   which cells come first. [in] origin - of PartitionDistribute(); num_all - cells of all ranks; [out] cells -
-   [level->num_cells] */
+/* Describes the cells of this rank. Their numbers and those of their vertices are the points of the DM of all
+   ranks, in which cells come first.
+   [in] origin - of PartitionDistribute(); num_all - cells of all ranks; [out] cells - [level->num_cells] */
 static PetscErrorCode LevelDescribeCells_Private(const Level *level, const PetscInt origin[], PetscInt num_all,
                                                  ForestCell cells[])
 {
@@ -134,8 +135,9 @@ PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Gathers the marks of all ranks. Collective. [out] all - in the order of the lists [forest->num_cells] on the first rank,
-   NULL on others; owned by the caller */
+/* Gathers the marks of all ranks. Collective.
+   [out] all - in the order of the lists [forest->num_cells] on the first rank, NULL on others; owned by the
+   caller */
 static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *level, const PetscInt marked[],
                                                 PetscInt **all)
 {
@@ -152,8 +154,8 @@ static PetscErrorCode ForestGatherMarks_Private(MeshForest forest, const Level *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the rows of the nodes of a child that are not set yet. [in] fine, coarse - the child and its parent; [in,out] done -
-   whether a row is set, by global node */
+/* Sets the rows of the nodes of a child that are not set yet.
+   [in] fine, coarse - the child and its parent; [in,out] done - whether a row is set, by global node */
 static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt child, const ForestCell *fine,
                                                   const ForestCell *coarse, PetscBool done[], Mat P)
 {
@@ -173,7 +175,8 @@ static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt chi
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Creates the prolongation of the fine level. Collective. [in] before - cells of the coarse level, on the first rank */
+/* Creates the prolongation of the fine level. Collective.
+   [in] before - cells of the coarse level, on the first rank */
 static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestCell before[], const Level *coarse,
                                                 Level *fine)
 {
@@ -208,7 +211,8 @@ static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestC
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the ages of the cells of a tree: parents with one child were not bisected. [in] before - its cells before; [out] cells */
+/* Sets the ages of the cells of a tree: parents with one child were not bisected.
+   [in] before - its cells before; [out] cells */
 static PetscErrorCode TreeSetAges_Private(const Tree *tree, const ForestCell before[], ForestCell cells[])
 {
   const Bisection *mesh = &tree->mesh;
@@ -226,7 +230,8 @@ static PetscErrorCode TreeSetAges_Private(const Tree *tree, const ForestCell bef
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sends the ages of all cells to their ranks. Collective. [in] before - cells of the coarse level, on the first rank */
+/* Sends the ages of all cells to their ranks. Collective.
+   [in] before - cells of the coarse level, on the first rank */
 static PetscErrorCode MeshForestSetAges_Private(MeshForest forest, const ForestCell before[], Level *fine)
 {
   PetscInt *all = NULL, first = 0, first_before = 0;

@@ -1,7 +1,8 @@
 /* forest.h -- bodies whose cells are bisected: lists of cells on the first rank. Private to this module.
 
-   A forest has the latest mesh as lists, in the order of its bisection, and the cells and global nodes of the latest
-   level. From marked cells it makes the lists of the next mesh. Functions of a Tree are not collective. */
+   A forest has the latest mesh as lists, in the order of its bisection, and the cells and global nodes of the
+   latest level. From marked cells it makes the lists of the next mesh. Functions of a Tree are not
+   collective. */
 #ifndef MORTISE_FOREST_H
 #define MORTISE_FOREST_H
 
@@ -18,14 +19,16 @@ typedef struct {
   PetscInt age;                           /* Level.cell_age */
 } ForestCell;
 
-/* A vertex on a facet of the first list, where that belongs to a smooth side or to a side fixed along its normal. */
+/* A vertex on a facet of the first list, where that belongs to a smooth side or to a side fixed along its
+   normal. */
 typedef struct {
   PetscInt  facet;     /* of the first list, by its first entry */
   PetscReal normal[3]; /* of the smooth side there */
 } SideCorner;
 
-/* Smooth sides of a body whose file has straight edges (eq. 4.5). The normals at two vertices determine the curve between
-   them and the normal at its middle. So the position of a vertex does not depend on refinement elsewhere. */
+/* Smooth sides of a body whose file has straight edges (eq. 4.5). The normals at two vertices determine the
+   curve between them and the normal at its middle. So the position of a vertex does not depend on refinement
+   elsewhere. */
 typedef struct {
   PetscBool  any;
   PetscBool *round, *flat; /* what facets are, by their first entries [num_entries] */
@@ -39,7 +42,8 @@ typedef struct {
 typedef struct {
   Bisection mesh;
   BodyList  list; /* of the latest mesh: numbers of the bisection, vertices of cells in the sense of element.h */
-  /* Sides of the facets of the first list. The number of a facet is its first entry; `another` is its next entry, or -1. */
+  /* Sides of the facets of the first list. The number of a facet is its first entry; `another` is its next
+     entry, or -1. */
   PetscInt  num_entries;
   PetscInt *side, *another; /* [num_entries] */
   TreeArcs  arcs;
@@ -60,38 +64,42 @@ struct _n_MeshForest {
 };
 typedef struct _n_MeshForest *MeshForest;
 
-/* Takes over the lists; quadrilaterals and hexahedra are cut into simplices. Collective. [in,out] lists, names - of the
-   first rank, empty afterwards [num_bodies] */
+/* Takes over the lists; quadrilaterals and hexahedra are cut into simplices. Collective.
+   [in,out] lists, names - of the first rank, empty afterwards [num_bodies] */
 PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[], MeshForest *forest);
 PetscErrorCode MeshForestDestroy(MeshForest *forest);
-/* The DM of the latest lists, all of it on the first rank. Collective. [out] dm, curves - owned by the caller */
+/* The DM of the latest lists, all of it on the first rank. Collective.
+   [out] dm, curves - owned by the caller */
 PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *curves);
-/* Gathers the cells and nodes of the level of the latest lists on the first rank. Collective. [in] origin - of
-   PartitionDistribute() */
+/* Gathers the cells and nodes of the level of the latest lists on the first rank. Collective.
+   [in] origin - of PartitionDistribute() */
 PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[]);
 
 /* A body's tree of simplices. [in] names - of the list's sides; [in,out] list - of triangles or tetrahedra,
    taken over, empty afterwards */
 PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree);
 PetscErrorCode TreeDestroy(Tree *tree);
-/* Bisects; the list becomes that of the new mesh. Cells that curves tangle are bisected again, UNTANGLE_TIMES at most.
+/* Bisects; the list becomes that of the new mesh. Cells that curves tangle are bisected again, UNTANGLE_TIMES
+   at most.
    [in] body - of the tree; [in] marked - how often edges are halved [num_cells] */
 PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscInt marked[]);
 /* Finds the smooth sides of a tree's list; a body of order 2 gets middle nodes on them. */
 PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names, Tree *tree);
 PetscErrorCode TreeArcsDestroy(TreeArcs *arcs);
-/* Moves new vertices and middle nodes of a new list to the curves. [in,out] list - of the tree's mesh, with the positions
-   of all other nodes */
+/* Moves new vertices and middle nodes of a new list to the curves.
+   [in,out] list - of the tree's mesh, with the positions of all other nodes */
 PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list);
-/* Shape functions of a parent at the nodes of one of its children. [in] child - cell of the tree; [in] fine, coarse - the
-   child and its parent; [out] weights - [nodes of fine][nodes of coarse] */
+/* Shape functions of a parent at the nodes of one of its children.
+   [in] child - cell of the tree; [in] fine, coarse - the child and its parent; [out] weights - [nodes of
+   fine][nodes of coarse] */
 void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const ForestCell *coarse,
                  PetscReal weights[]);
 
-/* Cuts quadrilaterals at their shorter diagonal, and hexahedra so that each face is cut at its lowest vertex: then
-   neighbours match. [in,out] list; [out] cut - whether there were such cells */
+/* Cuts quadrilaterals at their shorter diagonal, and hexahedra so that each face is cut at its lowest vertex:
+   then neighbours match. [in,out] list; [out] cut - whether there were such cells */
 PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut);
-/* Positions of vertices after the map; before it where the map is not finite. [out] coords - [num_vertices][dim] */
+/* Positions of vertices after the map; before it where the map is not finite.
+   [out] coords - [num_vertices][dim] */
 PetscErrorCode BodyListMapVertices(const BodyList *list, const SceneBody *body, PetscReal coords[]);
 
 #endif

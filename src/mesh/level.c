@@ -23,7 +23,7 @@ static PetscErrorCode LevelBegin_Private(Scene scene, DM dm, Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Bodies tell which points have nodes. */
+/* The orders of bodies determine the points with nodes. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level)
 {
   PetscFunctionBeginUser;
@@ -37,7 +37,7 @@ PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Lev
 {
   PetscFunctionBeginUser;
   PetscCall(LevelCreateTables(scene, dm, SceneMaxOrder(scene), level));
-  PetscCall(DMRemoveLabel(dm, "material", NULL)); // refinement would carry it on at a quarter of its costs
+  PetscCall(DMRemoveLabel(dm, "material", NULL)); // refinement would copy it, for a quarter of its time
   PetscCall(LevelSetCoords(level, curves));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -50,8 +50,7 @@ PetscInt SceneMaxOrder(Scene scene)
   return max_order;
 }
 
-/* Where each new point comes from is known to the transform alone, so the way up from the coarse level is written down
-   here. */
+/* Only the transform knows the origin of each new point, so the prolongation is created here. */
 PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
 {
   DMPlexTransform transform;

@@ -1,12 +1,13 @@
 /* mesh.h -- the one DMPlex of all bodies, its levels and their tables.
 
-   Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one DMPlex. Boxes
-   and files of many cells are made in parts by all ranks (boxparts.c, fileparting.c). Facets have one label for each named
-   side that the scene uses. Cells have a label "material" until the tables have it.
+   Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one
+   DMPlex. Boxes and files of many cells are made in parts by all ranks (boxparts.c, fileparting.c). Facets
+   have one label for each named side that the scene uses. Cells have a label "material" until the tables have
+   it.
 
-   The DMPlex keeps positions before the map of a body. The map is applied to the node table of each level, so that nodes
-   of curved sides stay on them exactly. Nodes sit on points of the DMPlex: on vertices; with order 2 also on edges, on
-   quadrilaterals and in hexahedra. */
+   The DMPlex keeps positions before the map of a body. The map is applied to the node table of each level, so
+   that nodes of curved sides stay on them exactly. Nodes sit on points of the DMPlex: on vertices; with order
+   2 also on edges, on quadrilaterals and in hexahedra. */
 #ifndef MORTISE_MESH_H
 #define MORTISE_MESH_H
 
@@ -16,8 +17,9 @@
 
 enum { NOT_BISECTED = -1 };
 
-/* Tables of one level on this rank. A cell is on exactly one rank; a node between ranks is on several, and one of them
-   owns it. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim * global node + component. */
+/* Tables of one level on this rank. A cell is on exactly one rank; a node between ranks is on several, and
+   one of them owns it. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim *
+   global node + component. */
 typedef struct {
   MPI_Comm  comm;
   DM        dm;
@@ -30,8 +32,8 @@ typedef struct {
   PetscInt *cell_body;                       /* [num_cells] */
   /* Index of SceneGetMaterial() [num_cells]; the same array as cell_body where no body has regions. */
   PetscInt *cell_material;
-  /* Levels since MeshAdapt() bisected what the cell is a part of: 0 on the level that it made then, NOT_BISECTED where it
-     never did [num_cells]; NULL where all cells are new. */
+  /* Levels since MeshAdapt() bisected what the cell is a part of: 0 on the level that it made then,
+     NOT_BISECTED where it never did [num_cells]; NULL where all cells are new. */
   PetscInt  *cell_age;
   PetscReal *coords;       /* positions after the map [num_nodes][dim] */
   PetscInt  *node_global;  /* [num_nodes] */
@@ -44,8 +46,8 @@ typedef struct {
   Scene      scene;                  /* borrowed */
 } Level;
 
-/* The facets of one side, or of several joined with '+', on this rank. A boundary facet belongs to one cell, hence to one
-   rank. */
+/* The facets of one side, or of several joined with '+', on this rank. A boundary facet belongs to one cell,
+   hence to one rank. */
 typedef struct {
   PetscInt     num;
   ElementType *type;  /* [num] */
@@ -56,9 +58,11 @@ typedef struct {
 
 /* Largest number of unknowns that are factored where a mesh has coarser levels; above, multigrid is chosen.
    Measured on one processor, seconds of factorization and of multigrid:
-     plane: 116000 unknowns 1.3 and 1.7; 1050000 18 and 18; above 200000 multigrid takes two thirds of the memory;
+     plane: 116000 unknowns 1.3 and 1.7; 1050000 18 and 18; above 200000 multigrid takes two thirds of the
+   memory;
      plane, adaptive meshes: 29000 unknowns 0.3 and 0.3; 79000 0.9 and 0.4;
-     space, spherical gap: order 1, 22000 unknowns 0.9 and 1.0, 32000 1.5 and 1.3; order 2, 25000 1.6 and 2.2, 35000 2.9
+     space, spherical gap: order 1, 22000 unknowns 0.9 and 1.0, 32000 1.5 and 1.3; order 2, 25000 1.6 and 2.2,
+   35000 2.9
      and 2.7; sphere on block, 32000 unknowns 2.9 and 4.5. */
 enum { MESH_LEVELS_2D = 200000, MESH_LEVELS_2D_ADAPTED = 60000, MESH_LEVELS_3D = 36000 };
 
@@ -77,25 +81,26 @@ typedef struct _n_Mesh *Mesh;
 
 /* Creates an empty mesh for a scene, which must outlive it. Collective on the scene's comm. */
 PetscErrorCode MeshCreate(Scene scene, Mesh *mesh);
-/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Where solvers use levels, boxes begin with
-   fewer cells and more refinements than the options say; the scene's own levels differ in their numbering only. Chooses
-   the nonmortar side of pairs whose options leave it open, by THEORY.md, section 7 (writes it to the ScenePair).
-   User errors: a file that cannot be read; a side or region that does not exist (names those that do); a degenerate or
-   tangled cell (names its place); a pair whose sides share facets; two pairs of the same facets. Collective. */
+/* Makes or reads all bodies, merges, partitions, refines, builds the tables. Where solvers use levels, boxes
+   begin with fewer cells and more refinements than the options say; the scene's own levels differ in their
+   numbering only. Chooses the nonmortar side of pairs whose options leave it open, by THEORY.md, section 7
+   (writes it to the ScenePair). User errors: a file that cannot be read; a side or region that does not exist
+   (names those that do); a degenerate or tangled cell (names its place); a pair whose sides share facets; two
+   pairs of the same facets. Collective. */
 PetscErrorCode MeshSetUp(Mesh mesh);
-/* Appends one level: the finest one with every cell split. Invalidates earlier pointers into mesh->levels. User errors:
-   a degenerate or tangled cell. Collective. */
+/* Appends one level: the finest one with every cell split. Invalidates earlier pointers into mesh->levels.
+   User errors: a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
-/* Appends one level, with a new partition: marked cells of the finest one are bisected dim times for each mark, other
-   cells until no node hangs. Cells that a map or a curve tangles are bisected again. The mesh does not depend on the
-   number of ranks; pointers into mesh->levels stay valid. For meshes of scenes with -adapt. User errors: a degenerate or
-   tangled cell. Collective.
+/* Appends one level, with a new partition: marked cells of the finest one are bisected dim times for each
+   mark, other cells until no node hangs. Cells that a map or a curve tangles are bisected again. The mesh
+   does not depend on the number of ranks; pointers into mesh->levels stay valid. For meshes of scenes with
+   -adapt. User errors: a degenerate or tangled cell. Collective.
    [in] marked - how often the edges of this rank's cells are halved [num_cells] */
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[]);
 /* The same with all cells marked once. Collective. */
 PetscErrorCode MeshAdaptAll(Mesh mesh);
-/* Whether the quadrilaterals or hexahedra of a body were cut into simplices: only simplices can be bisected. Not
-   collective. */
+/* Whether the quadrilaterals or hexahedra of a body were cut into simplices: only simplices can be bisected.
+   Not collective. */
 PetscBool MeshIsCut(Mesh mesh, PetscInt body);
 /* The level that is solved on. Not collective. Borrowed from the mesh */
 Level *MeshFinest(Mesh mesh);
@@ -116,23 +121,24 @@ PetscErrorCode SideNamesDestroy(SideNames *names);
 PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const char side[], Facets *facets);
 PetscErrorCode FacetsDestroy(Facets *facets);
 
-/* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order. Collective. */
+/* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order.
+   Collective. */
 PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v);
-/* Adds (ADD_VALUES) or maximises (MAX_VALUES) the values that ranks have for the same node at its owner, and sends the
-   result to its ghosts. Collective. */
+/* Adds (ADD_VALUES) or maximises (MAX_VALUES) the values that ranks have for the same node at its owner, and
+   sends the result to its ghosts. Collective. */
 PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the
    tables. Collective. Owned by the caller. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
-/* Interpolation from node values of one order to those of a higher one on the same cells. The two scenes differ in the
-   order of all bodies alone: then both have the same DMs and partition. Collective.
+/* Interpolation from node values of one order to those of a higher one on the same cells. The two scenes
+   differ in the order of all bodies alone: then both have the same DMs and partition. Collective.
    [out] E - AIJ, owned by the caller */
 PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E);
 
-/* Finds the cell of a body that contains a point, and the reference coordinates of the point in it. A point between a
-   straight facet and its curve by the body's map belongs to the cell of the facet; it is then slightly outside the
-   reference cell. Collective.
+/* Finds the cell of a body that contains a point, and the reference coordinates of the point in it. A point
+   between a straight facet and its curve by the body's map belongs to the cell of the facet; it is then
+   slightly outside the reference cell. Collective.
    [in] x - the same on all ranks [dim]
    [out] cell - local cell on the lowest rank that has one, -1 on all others
    [out] xi - on that rank [dim]

@@ -21,8 +21,9 @@
 /* Limit of the diagonal that condensation adds, relative to the diagonal before it; equal sides: 1. */
 static const PetscReal STIFF_SIDE = 2;
 
-/* Entries of S_u in one row of K: couplings within the block of the node, or its diagonal. [in] label - own
-   nodes, then ghosts; [out] num - entries, 1 for the diagonal alone; [out] column, value - NULL to count only */
+/* Entries of S_u in one row of K: couplings within the block of the node, or its diagonal.
+   [in] label - own nodes, then ghosts; [out] num - entries, 1 for the diagonal; [out] column, value - NULL to
+   count only */
 static PetscErrorCode SmootherGetRow_Private(const Operator *op, const GhostExchange *ghosts, const PetscReal label[],
                                              PetscInt row, PetscInt *num, PetscInt column[], PetscScalar value[])
 {

@@ -1,4 +1,5 @@
-/* truncationupdate.c -- changes of a matrix by truncation: a list of entries, few compared with the matrix. */
+/* truncationupdate.c -- changes of a matrix by truncation: a list of entries, few compared with the
+   matrix. */
 #include "base/compat.h"
 #include "multigrid/truncationupdate.h"
 
@@ -213,7 +214,8 @@ PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the nonzeros of a matrix are among those of another of the same layout; columns ascend. Collective. */
+/* Whether the nonzeros of a matrix are among those of another of the same layout; columns ascend.
+   Collective. */
 static PetscErrorCode TruncationUpdateFits_Private(Mat few, Mat many, PetscBool *fits)
 {
   PetscInt begin, end;
@@ -238,8 +240,8 @@ static PetscErrorCode TruncationUpdateFits_Private(Mat few, Mat many, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* sum := X, 0 where X has no entry; MatAXPY() would look up each entry. [in] X_columns, sum_columns - global columns of a block of ghosts, ascending,
-   or both NULL */
+/* sum := X, 0 where X has no entry; MatAXPY() would look up each entry.
+   [in] X_columns, sum_columns - global columns of a block of ghosts, ascending, or both NULL */
 static PetscErrorCode TruncationUpdateCopyBlock_Private(Mat X, const PetscInt X_columns[], Mat sum,
                                                         const PetscInt sum_columns[])
 {

@@ -9,11 +9,10 @@ typedef struct {
   PetscReal depth, at[3]; /* depth of the partner in facets without pressure, 0 for none */
 } HiddenContact;
 
-/* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s)                       recovered stress s*, stress s of the displacement (eq. 15.3)
-         + (2/pi) h/E' int_e |s* n + lambda|^2                          both sides of each pair
-         + pi E* / h int_e d^2                                          d: what penetrates, or min(what is open, lambda h / (pi E*))
-         + the oscillation of formulas in space (OscillationAdd())
-         + what facets leave of curves (GeometryAdd())
+/* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s) + (2/pi) h/E' int_e |s* n + lambda|^2 + pi E* / h int_e d^2
+   (eq. 15.3), and the oscillation of formulas in space (OscillationAdd()), and the energy between facets and
+   their curves (GeometryAdd()). s* is the recovered stress, s that of the displacement. The second term is
+   over both sides of each pair. d is the penetration, or the least of opening and lambda h / (pi E*).
    The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. */
 struct _n_Estimate {
   PetscReal *cell;     /* eta^2 of this rank's cells [num_cells] */

@@ -24,8 +24,8 @@ static PetscReal SolvedMeshGetExcess_Private(const SolvedMesh *mesh)
   return PetscSqr(mesh->error) - mesh->geometry + mesh->signs;
 }
 
-/* Sets theta of the latest mesh. With friction it is the standard value: the potential is not an energy that refinement
-   lowers. Collective. */
+/* Sets theta of the latest mesh. With friction it is the standard value: the potential is not an energy that
+   refinement lowers. Collective. */
 static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level, const Estimate estimate)
 {
   CalibrationMesh *meshes;
@@ -100,7 +100,8 @@ PetscBool SolvedMeshIsExact(const SolvedMesh *mesh)
   return (PetscBool) !(SolvedMeshGetError(mesh) > EXACT);
 }
 
-/* Adds "goals", with their numbers on a mesh. [in] named - whether with the text of the option, and whether they are met */
+/* Adds "goals", with their numbers on a mesh.
+   [in] named - whether with the text of the option, and whether they are met */
 static void MeshHistoryAddGoals_Private(const Scene scene, const SolvedMesh *mesh, PetscBool named, cJSON *to)
 {
   cJSON *goals;
