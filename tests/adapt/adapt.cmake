@@ -28,7 +28,7 @@ mortise_scene_test(goal_force SCENE two_plates CHECK goals.py RANKS 1 ARGS ${pla
 mortise_scene_test(goal_probe SCENE two_plates CHECK goals.py RANKS 1 ARGS ${plates} -adapt_goal probe:middle -adapt_goal_tolerance 3e-4)
 mortise_scene_test(goals CHECK shaft.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(parabola_steps CHECK parabola_steps.py)
-mortise_scene_test(goal_solvers SCENE two_plates CHECK goal_solvers.py RANKS 3 ARGS ${plates} -adapt_goal probe:middle,force:joint -adapt_goal_tolerance 5e-2)
+mortise_scene_test(goal_solvers SCENE two_plates CHECK goal_solvers.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -adapt_goal probe:middle,force:joint -adapt_goal_tolerance 5e-2)
 mortise_scene_test(goal_rings SCENE rings CHECK goal_rings.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt_goal pressure:fit,force:fit,probe:bore -adapt_goal_tolerance 1e-2)
 mortise_scene_test(goal_shells SCENE shells3d CHECK shells.py RANKS 1 ARGS -adapt_goal force:fit -adapt_goal_tolerance 3e-2)
 mortise_scene_test(goal_fit SCENE thermal_fit CHECK goal_fit.py RANKS 1 ARGS -adapt_goal probe:rim,pressure:fit -adapt_goal_tolerance 1e-2)

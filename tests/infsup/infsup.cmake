@@ -6,7 +6,7 @@ mortise_scene_test(axisymmetric SCENE shells CHECK flat.py
 mortise_scene_test(axisymmetric_swapped SCENE shells CHECK flat.py
   ARGS -infsup -outer_dm_plex_box_faces 3,4 -inner_dm_plex_box_faces 2,6)
 mortise_scene_test(tied CHECK flat.py RANKS 1 LONG_RANKS 3 ARGS -infsup)
-mortise_scene_test(curved SCENE half_discs CHECK curved.py ARGS -infsup)
+mortise_scene_test(curved LONG SCENE half_discs CHECK curved.py ARGS -infsup)
 mortise_scene_test(obstacle SCENE fixture CHECK obstacle.py RANKS 1 LONG_RANKS 3 ARGS -infsup)
 mortise_scene_test(floating SCENE stack CHECK floating.py RANKS 1 LONG_RANKS 3 ARGS -infsup)
 # It is that of an independent computation, and falls for pairings that are not stable.

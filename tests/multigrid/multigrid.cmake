@@ -1,23 +1,27 @@
 # Scenes of all kinds with multigrid on the levels of their meshes, small enough for a factorization to compare with.
-# mg(<name> [SCENE <scene>] ARGS ...): of options/ or of this folder
+# mg(<name> [LONG] [SCENE <scene>] ARGS ...): of options/ or of this folder; LONG: only in the long run
 function(mg name)
-  cmake_parse_arguments(arg "" "SCENE" "ARGS" ${ARGN})
+  cmake_parse_arguments(arg "LONG" "SCENE" "ARGS" ${ARGN})
   if(NOT arg_SCENE)
     set(arg_SCENE ${name})
   endif()
-  mortise_scene_test(${name} SCENE ${arg_SCENE} CHECK multigrid.py LABELS mpi ARGS -pc_type cholesky ${arg_ARGS})
+  set(long)
+  if(arg_LONG)
+    set(long LONG)
+  endif()
+  mortise_scene_test(${name} ${long} SCENE ${arg_SCENE} CHECK multigrid.py LABELS mpi ARGS -pc_type cholesky ${arg_ARGS})
 endfunction()
 set(plane_coarse -upper_dm_plex_box_faces 10,10 -lower_dm_plex_box_faces 7,7)
 set(solid_coarse -upper_dm_plex_box_faces 3,3,3 -lower_dm_plex_box_faces 2,2,2 -dm_refine 1)
 
 # --- cells, orders, dimensions ---
 mg(two_plates             ARGS ${plane_coarse} -dm_refine 2)
-mg(two_plates_triangles   SCENE two_plates ARGS ${plane_coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1 -dm_refine 2)
+mg(two_plates_triangles   LONG SCENE two_plates ARGS ${plane_coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1 -dm_refine 2)
 mg(two_plates_quadratic   SCENE two_plates ARGS ${plane_coarse} -order 2 -dm_refine 1)
-mg(two_plates_vertices    SCENE two_plates ARGS ${plane_coarse} -order 2 -upper_dm_plex_simplex 1 -joint_multipliers vertices -dm_refine 1)
+mg(two_plates_vertices    LONG SCENE two_plates ARGS ${plane_coarse} -order 2 -upper_dm_plex_simplex 1 -joint_multipliers vertices -dm_refine 1)
 mg(blocks                 ARGS ${solid_coarse})
 mg(blocks_tetrahedra      SCENE blocks ARGS ${solid_coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
-mg(blocks_quadratic       SCENE blocks ARGS ${solid_coarse} -order 2)
+mg(blocks_quadratic       LONG SCENE blocks ARGS ${solid_coarse} -order 2)
 # one cell a body: of three ranks one has nothing, and planes of nodes to share
 mg(blocks_long            SCENE blocks ARGS -upper_dm_plex_box_faces 1,1,1 -lower_dm_plex_box_faces 1,1,1 -dm_refine 2
                           -upper_dm_plex_box_upper 8,1,1 -lower_dm_plex_box_upper 8,1,0)
@@ -25,17 +29,17 @@ mg(blocks_long            SCENE blocks ARGS -upper_dm_plex_box_faces 1,1,1 -lowe
 # --- what bodies touch ---
 mg(three_bodies           ARGS -dm_refine 1)
 mg(tied                   ARGS -dm_refine 2)
-mg(rings                  ARGS -dm_refine 1)
+mg(rings                  LONG ARGS -dm_refine 1)
 mg(patch_interference     ARGS -dm_refine 1)
 mg(parabola               ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1)
 mg(touching               ARGS -dm_refine 1)
 mg(stack                  ARGS -dm_refine 1)
 mortise_scene_test(overhang CHECK floating.py LABELS mpi ARGS -pc_type cholesky -dm_refine 1)
-mg(two_plates_uneven      SCENE two_plates ARGS ${plane_coarse} -upper_young 8e10 -dm_refine 2)
+mg(two_plates_uneven      LONG SCENE two_plates ARGS ${plane_coarse} -upper_young 8e10 -dm_refine 2)
 mg(shells                 ARGS -dm_refine 1)
 mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
 mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
-mg(two_plates_tight       SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.4999 -order 2 -dm_refine 1)
+mg(two_plates_tight       LONG SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.4999 -order 2 -dm_refine 1)
 mg(blocks_tight           SCENE blocks ARGS ${solid_coarse} -upper_poisson 0.49)
 
 # --- meshes with one level, and levels made of some of its nodes below it ---
@@ -60,7 +64,7 @@ mortise_scene_test(stop_apart SCENE two_plates CHECK stop_apart.py LABELS mpi AR
 mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py ARGS ${plane_coarse} -pc_type truncatedmg -cross_check -dm_refine 2)
 mortise_scene_test(opinion_solid SCENE blocks CHECK opinion.py LABELS mpi ARGS ${solid_coarse} -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_long  SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
-mortise_scene_test(opinion_free  SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
+mortise_scene_test(opinion_free  LONG SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(pad CHECK pad.py LABELS mpi ARGS -pc_type truncatedmg -cross_check -cross_check_pc_type cholesky)
 
 mortise_scene_test(hard OWN_RUNS SCENE touching CHECK hard.py ONLY_RANKS "its scenes have tests on ranks of their own")

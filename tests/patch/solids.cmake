@@ -9,7 +9,7 @@ mortise_scene_test(solid_hex27_tet10 SCENE solid CHECK solid.py ARGS ${coarse} -
 mortise_scene_test(solid_tet10_tet4 SCENE solid CHECK solid.py ARGS ${coarse} -upper_order 2 -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
 mortise_scene_test(solid_tet4_hex27 SCENE solid CHECK solid.py ARGS ${coarse} -lower_order 2 -upper_dm_plex_simplex 1)
 mortise_scene_test(solid_hex27_vertices SCENE solid CHECK solid.py ARGS ${coarse} -order 2 -joint_multipliers vertices)
-mortise_scene_test(solid_tet10_vertices SCENE solid CHECK solid.py RANKS 3 ARGS ${coarse} -order 2 -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1 -joint_multipliers vertices)
+mortise_scene_test(solid_tet10_vertices SCENE solid CHECK solid.py RANKS 1 LONG_RANKS 3 ARGS ${coarse} -order 2 -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1 -joint_multipliers vertices)
 mortise_scene_test(solid_wide CHECK solid_wide.py RANKS 1 LONG_RANKS 3)
 set(coarse -upper_dm_plex_box_faces 4,1,1 -west_dm_plex_box_faces 2,2,1 -east_dm_plex_box_faces 1,2,1)
 mortise_scene_test(solid_wide_hex27 SCENE solid_wide CHECK solid_wide.py ARGS ${coarse} -order 2)
@@ -21,4 +21,4 @@ mortise_scene_test(solid_crosspoints_tet10 SCENE solid_crosspoints CHECK solid_t
 mortise_scene_test(patch3d CHECK solid_twice.py RANKS 1 LONG_RANKS 3) # tetrahedra on hexahedra, as shipped
 mortise_scene_test(tied_apart_hex8 SCENE tied_apart_solid CHECK tied_apart.py RANKS 1 LONG_RANKS 3 ARGS -cross_check)
 mortise_scene_test(tied_apart_hex27 SCENE tied_apart_solid CHECK tied_apart.py ARGS -cross_check -order 2)
-mortise_scene_test(tied_apart_tet10 SCENE tied_apart_solid CHECK tied_apart.py RANKS 3 ARGS -cross_check -order 2 -top_dm_plex_simplex 1 -base_dm_plex_simplex 1)
+mortise_scene_test(tied_apart_tet10 SCENE tied_apart_solid CHECK tied_apart.py RANKS 1 LONG_RANKS 3 ARGS -cross_check -order 2 -top_dm_plex_simplex 1 -base_dm_plex_simplex 1)

@@ -1,7 +1,7 @@
 # Pictures and pages: what they say, and where they say it.
 mortise_scene_test(labels_ring SCENE shells CHECK labels.py ARGS -units mm,N,MPa -report)
 mortise_scene_test(labels_plane SCENE two_plates CHECK labels.py ARGS -units m,N,Pa -report)
-mortise_scene_test(labels_solid SCENE patch3d CHECK labels.py ARGS -units in,lbf,psi -report)
+mortise_scene_test(labels_solid LONG SCENE patch3d CHECK labels.py ARGS -units in,lbf,psi -report)
 
 # Values along lines: against the exact linear displacement and uniform stress of patch tests, on any number of ranks.
 mortise_scene_test(paths_plane SCENE patch2d CHECK paths.py RANKS 1 LONG_RANKS 3
@@ -15,8 +15,8 @@ mortise_scene_test(temperature SCENE thermal_fit CHECK temperature.py)
 mortise_scene_test(detail SCENE hertz2d CHECK detail.py)
 mortise_scene_test(view SCENE below CHECK view.py)
 mortise_scene_test(tidy_bolt SCENE bolt_quarter CHECK tidy.py)
-mortise_scene_test(tidy_fixture SCENE fixture CHECK tidy.py)
-mortise_scene_test(tidy_cam SCENE cam CHECK tidy.py)
+mortise_scene_test(tidy_fixture LONG SCENE fixture CHECK tidy.py)
+mortise_scene_test(tidy_cam LONG SCENE cam CHECK tidy.py)
 mortise_scene_test(clipped SCENE patch3d CHECK clipped.py)
 mortise_scene_test(friction SCENE clamp CHECK friction.py ARGS -report)
 mortise_scene_test(abroad SCENE patch2d CHECK abroad.py)

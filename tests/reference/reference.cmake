@@ -15,7 +15,7 @@ foreach(first 0 12 24 36)
 endforeach()
 mortise_scene_test(scatter_ranks OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
 mortise_scene_test(scatter_space OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 1 LABELS regression ARGS -title "Random scenes from 0")
-mortise_scene_test(scatter_space_ranks OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
+mortise_scene_test(scatter_space_ranks LONG OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
 
 # Random scenes of nearly incompressible bodies.
 mortise_scene_test(scatter_rubber OWN_RUNS SCENE plates_quads/scene CHECK scatter_rubber.py RANKS 1 LONG_RANKS 3 LABELS regression ARGS -title "Random scenes from 0")
