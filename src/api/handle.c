@@ -24,8 +24,7 @@ PetscErrorCode ApiNeedRun(Mortise m, const char function[])
 {
   PetscFunctionBeginUser;
   if (m->run) PetscFunctionReturn(PETSC_SUCCESS);
-  if (m->solved_once)
-    PetscCall(UserErrorRaise(m->comm, "%s(): -study has solved several meshes; leave it out", function));
+  if (m->solved_once) PetscCall(UserErrorRaise(m->comm, "%s(): -study has solved several meshes; omit it", function));
   PetscCall(UserErrorRaise(m->comm, "%s(): there is no solution yet; call MortiseSolve() before", function));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

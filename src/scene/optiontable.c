@@ -86,7 +86,7 @@ static const OptionEntry table[] = {
      "Number of refinements of this body alone, before those of -dm_refine."},
     {GROUP_MESH, "-<body>_polygonal", "0|1", "", "0",
      "Keeps the polygons of straight edges in contact. By default, facets that meet at less than 30 degrees are one "
-     "smooth side. Its gaps are those of the curves that nodal normals define, and refinement of a mesh file of first "
+     "smooth side. Its gaps are those of the curves that nodal normals define. Refinement of a mesh file of first "
      "order puts new nodes on these curves."},
     {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},
     {GROUP_MESH, "-<body>_exact_displacement", "e,e[,e]", "length", "(not known)",
@@ -138,7 +138,7 @@ static const OptionEntry table[] = {
      "over "
      "the whole ring. Numbers, or formulas of t."},
     {GROUP_LOADS, "-<body>_bc_moment", "side,side,...", "", "(none)",
-     "Sides with a given total moment about their centroid, which is spread as a force per area that is linear in "
+     "Sides with a given total moment about their centroid. It is spread as a force per area that is linear in "
      "position and has no resultant. Not axisymmetric."},
     {GROUP_LOADS, "-<body>_bc_moment_<side>", "e[,e,e]", "force*length", "(required)",
      "Total moment on a listed side: about z, anticlockwise, for the whole thickness; in solids three components. "
@@ -236,9 +236,8 @@ static const OptionEntry table[] = {
     {GROUP_OUTPUT, "-scene_view", "0|1", "", "0", "Prints the model, and what was omitted and why."},
 
     {GROUP_ADAPT, "-adapt", "x", "", "(the mesh as it is)",
-     "Refines where the estimated error is large until it is at most this part of the solution in the energy norm, "
-     "such "
-     "as 1e-2 or 1e-3, and gives results with error bars. Bodies have -order 2 unless the scene says otherwise; "
+     "Refines where the estimated error is large, until it is at most this part of the solution in the energy norm, "
+     "such as 1e-2 or 1e-3. Results have error bars. Bodies have -order 2 unless the scene says otherwise; "
      "quadrilaterals and hexahedra are cut into triangles and tetrahedra."},
     {GROUP_ADAPT, "-adapt_goal", "force:<pair>|probe:<name>|pressure:<pair>, ...", "", "(the energy norm)",
      "Refines for these numbers, with or without -adapt: the normal force of a pair, von Mises' stress at a probe, the "

@@ -207,8 +207,8 @@ static PetscErrorCode MaterialCheckAcross_Private(const Reader *r, const Option 
     if (values[across] == 0) PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(OptionRaise(option,
-                        "in plane strain the six numbers of %s do not tell the stress of a strain across "
-                        "the plane; write 0 for its zz, with the strains in the plane that a body held along z has, or "
+                        "in plane strain the six numbers of %s do not determine the stress of a strain across the "
+                        "plane; write 0 for its zz, with the strains in the plane that a body held along z has, or "
                         "use -model plane_stress or solid",
                         ExpressionOption(r->material->stiffness)));
   PetscFunctionReturn(PETSC_SUCCESS);

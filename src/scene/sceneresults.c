@@ -90,7 +90,7 @@ static PetscErrorCode ResultsReadCheck_Private(Scene scene)
   PetscCall(OptionGetBool(&only, &scene->check));
   if (!scene->check) PetscFunctionReturn(PETSC_SUCCESS);
   if (scene->report)
-    PetscCall(OptionRaise(&only, "nothing is solved, so that -report has nothing to tell; give one of the two"));
+    PetscCall(OptionRaise(&only, "nothing is solved, and there is nothing to report; give one of the two"));
   scene->study.kind  = STUDY_NONE;
   scene->steps.num   = 0;
   scene->cross_check = scene->measure_linear = scene->infsup = PETSC_FALSE;

@@ -30,7 +30,8 @@ static const Unmodelled unmodelled[] = {
      "stress"},
     {{"large_strain", "large_strains", "nlgeom", "finite_strain", "large_displacement", "large_deformation",
       "large_rotation", "hyperelastic", "neo_hookean", "mooney_rivlin"},
-     "large strains and rotations are not modelled; the warning model_limit tells where a result exceeds small ones"},
+     "large strains and rotations are not modelled; the warning model_limit is given where a result exceeds small "
+     "ones"},
     {{"contact_stiffness", "penalty", "penalty_stiffness", "penetration", "normal_stiffness", "augmentation"},
      "contact has no penalty and no stiffness of its own, sides do not penetrate; omit the option"},
     {{"adhesion", "cohesion", "cohesive", "wear", "lubrication", "clearance_damping"},
