@@ -286,7 +286,7 @@ PetscErrorCode CubaturePlanes(Cubature *cubature, PetscReal value[], PetscReal *
   Simplex          stack[STACK];
   PetscInt         num = CellSimplices_Private(cell, stack);
   PetscReal        scaled[CUBATURE_MAX_SIZE];
-  Cubature         part = *cubature; // errors of its lines are measured by the same tolerance
+  Cubature         part = *cubature; // an error on a line counts with the volume of its simplex
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(value, cubature->size));

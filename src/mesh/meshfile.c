@@ -29,7 +29,7 @@ static PetscErrorCode FileReadPlex_Private(const char path[], DM *dm, char reaso
   PetscCall(PetscPushErrorHandler(RecordErrorFn, reason));
   code = DMPlexCreateFromFile(PETSC_COMM_SELF, path, "", PETSC_TRUE, dm);
   PetscCall(PetscPopErrorHandler());
-  if (code) *dm = NULL; // incomplete: it cannot be destroyed safely, and the run ends
+  if (code) *dm = NULL; // incomplete, and the run ends: it is not destroyed
   if (strstr(reason, "unrecognized extension"))
     snprintf(reason, MESH_SENTENCE,
              "files of this ending cannot be read; write it by Gmsh as .msh, version 2.2 or 4.1");

@@ -149,7 +149,7 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
 PetscErrorCode MeshFileDestroy(MeshFile *files);
 
 /* The one DMPlex of all bodies. Collective.
-   [in] lists - complete on the first rank and empty on others, or parts that PlexJoin() joins later */
+   [in] lists - complete on the first rank and empty on others, or parts that are joined later */
 PetscErrorCode MeshMerge(Scene scene, const BodyList lists[], const SideNames names[], DM *dm, Curves *curves);
 
 /* Whether each rank makes its part of the mesh: for boxes of many cells.
