@@ -1,11 +1,17 @@
 /* frictionunits.c -- units of contact with friction: their data, their decisions, and the residual of the
    law.
 
-   Used for the reduced problem, with all units on one rank, and at full size, with each rank's own units. */
+   Used for the reduced problem, with all units on one rank, and at full size, with each rank's own units.
+
+   References: [1] Judice, Pires, A block principal pivoting algorithm for large-scale strictly monotone
+   linear complementarity problems, 1994. */
 #include "pdas/frictionimpl.h"
 
 /* Tolerances of ties, relative to the largest value and force, as of frictionless contact. */
 static const PetscReal TIE_FRICTION = 1e-11;
+/* After SINGLE_STEPS steps in a row that do not descend, one unit at a time changes: sets of changes may
+   follow each other in a cycle [1]. */
+enum { SINGLE_STEPS = 10 };
 /* G / |q^| counts as at most this: the resistance to turning stays finite where slip begins. */
 static const PetscReal SLIP_BEGINS = 1 - 1e-8;
 /* Roundoff of a value, in units of the largest: it grows with the condition of S. */
@@ -184,31 +190,90 @@ static UnitStatus FrictionUnitsSlides_Private(FrictionUnit *unit, const PetscRea
   return UNIT_SLIP;
 }
 
+/* Squared residual of a unit's law in the norm of diag(A)^-1: length of a step along the forces, projected
+   onto bound and cone. */
+static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const PetscReal y[], const PetscReal r[])
+{
+  const PetscReal k = unit->stiffness, pressing = r[unit->normal], limit = FrictionUnitLimit(unit, pressing);
+  const PetscReal miss = PetscMax(-pressing, k * (y[unit->normal] - unit->upper));
+  PetscReal       sum = miss * miss / k, z[FRICTION_TANGENTS], size = 0;
+
+  if (!unit->num) return sum;
+  for (PetscInt i = 0; i < unit->num; i++) {
+    z[i] = unit->resistance * (y[unit->tangent[i]] - unit->origin[i]) + r[unit->tangent[i]];
+    size += z[i] * z[i];
+  }
+  size = PetscSqrtReal(size);
+  for (PetscInt i = 0; i < unit->num; i++) { // without the difference of two long ways of slip
+    const PetscReal off = size > limit ? limit * z[i] / size - r[unit->tangent[i]]
+                                       : unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
+
+    sum += off * off / unit->resistance;
+  }
+  return sum;
+}
+
+/* What a unit would do; returns whether that is something else than before. [in,out] unit */
+static PetscBool FrictionUnitsDecideOne_Private(const FrictionUnits *units, const PetscReal tolerance[2],
+                                                FrictionUnit *unit)
+{
+  const PetscReal *y = units->y, *r = units->r;
+  const PetscReal  test   = r[unit->normal] + unit->stiffness * (y[unit->normal] - unit->upper);
+  const PetscBool  closed = FrictionUnitsIsClosed_Private(unit, test, tolerance), was = unit->closed;
+  const UnitStatus before = unit->status;
+  PetscReal        q[FRICTION_TANGENTS];
+
+  for (PetscInt i = 0; i < unit->num; i++)
+    q[i] = r[unit->tangent[i]] + unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
+  if (unit->num)
+    unit->status = FrictionUnitsSlides_Private(unit, q, FrictionUnitLimit(unit, closed ? test : 0), tolerance);
+  unit->closed = closed;
+  return (PetscBool)(closed != was || before != unit->status);
+}
+
+/* Makes the change where the law's residual is largest; all others keep what they do. Collective.
+   [out] changed - on this rank */
+static PetscErrorCode FrictionUnitsChangeOne_Private(FrictionUnits *units, const PetscReal tolerance[2],
+                                                     PetscInt *changed)
+{
+  PetscReal largest, own = -1;
+  PetscInt  worst = -1;
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit    next = units->unit[a];
+    const PetscReal off  = FrictionUnitsResidual_Private(&next, units->y, units->r);
+
+    if (!FrictionUnitsDecideOne_Private(units, tolerance, &next)) {
+      units->unit[a] = next; // its direction of slip may turn
+    } else if (off > own) {
+      own   = off;
+      worst = a;
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(&own, &largest, 1, MPIU_REAL, MPI_MAX, units->comm));
+  *changed = worst >= 0 && own == largest ? 1 : 0;
+  if (*changed) (void)FrictionUnitsDecideOne_Private(units, tolerance, &units->unit[worst]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed)
 {
   const PetscReal *y = units->y, *r = units->r;
   PetscReal        tolerance[2] = {0, 0};
 
   PetscFunctionBeginUser;
-  *changed = 0;
   for (PetscInt i = 0; i < units->n; i++) {
     tolerance[0] = PetscMax(tolerance[0], TIE_FRICTION * PetscAbsReal(y[i]));
     tolerance[1] = PetscMax(tolerance[1], TIE_FRICTION * PetscAbsReal(r[i]));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, tolerance, 2, MPIU_REAL, MPI_MAX, units->comm));
-  for (PetscInt a = 0; a < units->num; a++) {
-    FrictionUnit    *unit   = &units->unit[a];
-    const PetscReal  test   = r[unit->normal] + unit->stiffness * (y[unit->normal] - unit->upper);
-    const PetscBool  closed = FrictionUnitsIsClosed_Private(unit, test, tolerance);
-    const UnitStatus before = unit->status;
-    PetscReal        q[FRICTION_TANGENTS];
-
-    for (PetscInt i = 0; i < unit->num; i++)
-      q[i] = r[unit->tangent[i]] + unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
-    if (unit->num)
-      unit->status = FrictionUnitsSlides_Private(unit, q, FrictionUnitLimit(unit, closed ? test : 0), tolerance);
-    *changed += closed != unit->closed || before != unit->status ? 1 : 0;
-    unit->closed = closed;
+  *changed = 0;
+  if (units->waiting >= SINGLE_STEPS) {
+    PetscCall(FrictionUnitsChangeOne_Private(units, tolerance, changed));
+  } else {
+    for (PetscInt a = 0; a < units->num; a++)
+      *changed += FrictionUnitsDecideOne_Private(units, tolerance, &units->unit[a]) ? 1 : 0;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, changed, 1, MPIU_INT, MPI_SUM, units->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -233,29 +298,6 @@ void FrictionUnitsMark(const FrictionUnits *units, PetscBool fixed[])
     fixed[unit->normal] = unit->closed;
     for (PetscInt i = 0; i < unit->num; i++) fixed[unit->tangent[i]] = (PetscBool)(unit->status == UNIT_STICK);
   }
-}
-
-/* Squared residual of a unit's law in the norm of diag(A)^-1: length of a step along the forces, projected
-   onto bound and cone. */
-static PetscReal FrictionUnitsResidual_Private(const FrictionUnit *unit, const PetscReal y[], const PetscReal r[])
-{
-  const PetscReal k = unit->stiffness, pressing = r[unit->normal], limit = FrictionUnitLimit(unit, pressing);
-  const PetscReal miss = PetscMax(-pressing, k * (y[unit->normal] - unit->upper));
-  PetscReal       sum = miss * miss / k, z[FRICTION_TANGENTS], size = 0;
-
-  if (!unit->num) return sum;
-  for (PetscInt i = 0; i < unit->num; i++) {
-    z[i] = unit->resistance * (y[unit->tangent[i]] - unit->origin[i]) + r[unit->tangent[i]];
-    size += z[i] * z[i];
-  }
-  size = PetscSqrtReal(size);
-  for (PetscInt i = 0; i < unit->num; i++) { // without the difference of two long ways of slip
-    const PetscReal off = size > limit ? limit * z[i] / size - r[unit->tangent[i]]
-                                       : unit->resistance * (y[unit->tangent[i]] - unit->origin[i]);
-
-    sum += off * off / unit->resistance;
-  }
-  return sum;
 }
 
 PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal rtol, PetscReal *residual, PetscReal *size)
