@@ -13,6 +13,7 @@
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/blocksmoother.h"
+#include "multigrid/galerkin.h"
 #include "multigrid/graphcomponents.h"
 #include "multigrid/patchsmoother.h"
 #include "multigrid/smoother.h"
@@ -138,8 +139,7 @@ static PetscErrorCode SmootherCondense_Private(const Operator *op, Mat *S)
 
   PetscFunctionBeginUser;
   if (op->T) {
-    PetscCall(MatPtAP(*S, op->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-    PetscCall(MatProductClear(product)); // it would keep its factors
+    PetscCall(GalerkinProduct(*S, op->T, &product));
     PetscCall(MatGetInfo(product, MAT_GLOBAL_SUM, &mine));
     PetscCall(MatGetInfo(op->K, MAT_GLOBAL_SUM, &whole));
     if (mine.nz_used > whole.nz_used) {

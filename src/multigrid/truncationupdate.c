@@ -1,6 +1,7 @@
 /* truncationupdate.c -- changes of a matrix by truncation: a list of entries, few compared with the
    matrix. */
 #include "base/compat.h"
+#include "multigrid/galerkin.h"
 #include "multigrid/truncationupdate.h"
 
 /* Entries of a matrix under assembly. */
@@ -207,7 +208,7 @@ PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
   PetscCall(PetscFree(rows));
   PetscCall(MatCreateSubMatrix(update, is, is, MAT_INITIAL_MATRIX, &small));
   PetscCall(MatCreateSubMatrix(P, is, NULL, MAT_INITIAL_MATRIX, &few));
-  PetscCall(MatPtAP(small, few, MAT_INITIAL_MATRIX, PETSC_DEFAULT, product));
+  PetscCall(GalerkinProduct(small, few, product));
   PetscCall(MatDestroy(&small));
   PetscCall(MatDestroy(&few));
   PetscCall(ISDestroy(&is));
