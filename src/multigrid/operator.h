@@ -16,7 +16,7 @@ typedef struct {
   Mat       K;        /* in blocks of dim: stiffness in displacements u = T y; rows, products, MatConvert() */
   Vec       diagonal; /* of K */
   PetscReal stiffness;
-  Mat       S;                            /* products with K / stiffness */
+  Mat       S;                            /* products with K / stiffness, of a cycle: single precision will do */
   Mat       T;                            /* NULL for the identity */
   Mat       inverse;                      /* of T; NULL with T, and after HierarchyCreate() */
   Mat       Z;                            /* (T'K T - K) / stiffness, few entries; NULL with T */

@@ -24,6 +24,7 @@ typedef struct {
 typedef struct {
   Mat       K;
   PetscReal factor;
+  float    *single; /* factor K of this rank, or NULL; blocks among ghosts are few */
 } Scaled;
 
 /* y += factor V x for the blocks among ghosts. */
@@ -40,7 +41,8 @@ static void StiffnessAddOthers_Private(const Stiffness *s, PetscReal factor, con
   }
 }
 
-static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, Vec x, Vec y)
+/* y = factor K x. [in] single - factor K of this rank in single precision, or NULL */
+static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, const float single[], Vec x, Vec y)
 {
   Stiffness         *s;
   const PetscScalar *xa;
@@ -51,7 +53,10 @@ static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, Vec x, Vec 
   if (s->ghosts) PetscCall(VecScatterBegin(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArrayWrite(y, &ya));
-  SymmetricBlocksMult(&s->own, factor, xa, ya);
+  if (single)
+    SymmetricBlocksMultSingle(&s->own, single, xa, ya);
+  else
+    SymmetricBlocksMult(&s->own, factor, xa, ya);
   PetscCall(VecRestoreArrayRead(x, &xa));
   PetscCall(PetscLogFlops(4.0 * s->own.first[s->own.num] * s->bs * s->bs));
   if (s->ghosts) {
@@ -68,7 +73,7 @@ static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, Vec x, Vec 
 static PetscErrorCode MatMult_Stiffness(Mat K, Vec x, Vec y)
 {
   PetscFunctionBeginUser;
-  PetscCall(StiffnessMult_Private(K, 1, x, y));
+  PetscCall(StiffnessMult_Private(K, 1, NULL, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -78,7 +83,7 @@ static PetscErrorCode MatMult_Scaled(Mat S, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &scaled));
-  PetscCall(StiffnessMult_Private(scaled->K, scaled->factor, x, y));
+  PetscCall(StiffnessMult_Private(scaled->K, scaled->factor, scaled->single, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -285,6 +290,7 @@ static PetscErrorCode MatDestroy_Scaled(Mat S)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &scaled));
   PetscCall(MatDestroy(&scaled->K));
+  PetscCall(PetscFree(scaled->single));
   PetscCall(PetscFree(scaled));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -438,5 +444,18 @@ PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S)
   PetscCall(MatSetBlockSize(*S, bs));
   PetscCall(MatShellSetOperation(*S, MATOP_MULT, (void (*)(void))MatMult_Scaled));
   PetscCall(MatShellSetOperation(*S, MATOP_DESTROY, (void (*)(void))MatDestroy_Scaled));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S)
+{
+  Scaled    *scaled;
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCall(StiffnessCreateScaled(K, factor, S));
+  PetscCall(MatShellGetContext(*S, &scaled));
+  PetscCall(MatShellGetContext(K, &s));
+  PetscCall(SymmetricBlocksCreateSingle(&s->own, factor, &scaled->single));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -14,5 +14,7 @@ PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K);
 PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K);
 /* factor K for products alone, of the same entries. Collective. [out] S - a shell, owned by the caller */
 PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S);
+/* The same with numbers in single precision, for a preconditioner. */
+PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S);
 
 #endif

@@ -31,8 +31,15 @@ PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscI
 void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt width, PetscScalar rows[]);
 /* y = factor V x for these blocks V. Not collective. [in] x, [out] y - [num][bs] */
 void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[]);
-/* The same without AVX2: for the unit test. */
+/* factor V in single precision. Not collective. [out] single - owned by the caller, PetscFree() */
+PetscErrorCode SymmetricBlocksCreateSingle(const SymmetricBlocks *blocks, PetscReal factor, float **single);
+/* y = (factor V) x, of these numbers, in double precision. Not collective. [in] x, [out] y - [num][bs] */
+void SymmetricBlocksMultSingle(const SymmetricBlocks *blocks, const float single[], const PetscScalar x[],
+                               PetscScalar y[]);
+/* The same products without AVX2: for the unit test. */
 void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[],
                                  PetscScalar y[]);
+void SymmetricBlocksMultSinglePortably(const SymmetricBlocks *blocks, const float single[], const PetscScalar x[],
+                                       PetscScalar y[]);
 
 #endif

@@ -7,7 +7,8 @@
 
 enum { NUM = 9, SIZE = NUM * SYMMETRIC_BLOCKS_MAX };
 
-static const PetscReal ROUNDING = 1e-14; /* sums of at most 27 products below 1 */
+static const PetscReal ROUNDING        = 1e-14;     /* sums of at most 27 products below 1 */
+static const PetscReal ROUNDING_SINGLE = 27 * 6e-8; /* of as many factors below 1 */
 
 /* A pattern with every second pair of different rows, and the diagonal. */
 static PetscBool Couples(PetscInt i, PetscInt j)
@@ -41,24 +42,31 @@ static PetscErrorCode CreateRandom(PetscInt bs, SymmetricBlocks *blocks, PetscSc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Both products: with the instructions of this processor, and without. */
+/* Products with the instructions of this processor, and without; the same with rounded numbers. */
 static PetscErrorCode TestMult(PetscInt bs)
 {
   const PetscReal factor = 0.75;
   SymmetricBlocks blocks;
-  PetscScalar     dense[SIZE][SIZE], x[SIZE], y[2][SIZE];
+  PetscScalar     dense[SIZE][SIZE], x[SIZE], y[4][SIZE];
+  float          *single;
 
   PetscFunctionBeginUser;
   PetscCall(CreateRandom(bs, &blocks, dense));
+  PetscCall(SymmetricBlocksCreateSingle(&blocks, factor, &single));
   for (PetscInt i = 0; i < NUM * bs; i++) x[i] = Uniform(-1, 1);
   SymmetricBlocksMult(&blocks, factor, x, y[0]);
   SymmetricBlocksMultPortably(&blocks, factor, x, y[1]);
+  SymmetricBlocksMultSingle(&blocks, single, x, y[2]);
+  SymmetricBlocksMultSinglePortably(&blocks, single, x, y[3]);
   for (PetscInt i = 0; i < NUM * bs; i++) {
     PetscScalar sum = 0;
 
     for (PetscInt j = 0; j < NUM * bs; j++) sum += factor * dense[i][j] * x[j];
-    for (int way = 0; way < 2; way++) CHECK_NEAR(PetscRealPart(y[way][i]), PetscRealPart(sum), ROUNDING);
+    for (int way = 0; way < 4; way++)
+      CHECK_NEAR(PetscRealPart(y[way][i]), PetscRealPart(sum), way < 2 ? ROUNDING : ROUNDING_SINGLE);
+    CHECK_NEAR(PetscRealPart(y[3][i]), PetscRealPart(y[2][i]), ROUNDING);
   }
+  PetscCall(PetscFree(single));
   PetscCall(SymmetricBlocksDestroy(&blocks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
