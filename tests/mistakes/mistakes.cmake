@@ -9,7 +9,11 @@ function(mistake name)
     set(arg_SCENE boxes)
   endif()
   mortise_mistake(${name} SCENE ${arg_SCENE} SAYS ${arg_SAYS} ARGS ${arg_ARGS})
-  set_tests_properties(mistakes.${name}.np2 PROPERTIES TIMEOUT 20)
+  foreach(ranks 1 2)
+    if(TEST mistakes.${name}.np${ranks})
+      set_tests_properties(mistakes.${name}.np${ranks} PROPERTIES TIMEOUT 20)
+    endif()
+  endforeach()
 endfunction()
 
 # --- the command line and options files ---

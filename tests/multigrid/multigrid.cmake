@@ -71,7 +71,7 @@ mortise_scene_test(hard OWN_RUNS SCENE touching CHECK hard.py ONLY_RANKS "its sc
 
 # --- iterations ---
 mortise_scene_test(long_cells OWN_RUNS SCENE hertz3d CHECK long_cells.py LABELS mpi ARGS -order 1 -dm_refine 1 -pc_type truncatedmg)
-mortise_scene_test(tight OWN_RUNS        SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
+mortise_scene_test(tight LONG OWN_RUNS   SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
   -upper_dm_plex_box_faces 16,16 -lower_dm_plex_box_faces 12,12)
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
@@ -83,5 +83,5 @@ mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -
 mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks that one loses its bundles" RANKS 5 LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
 mortise_scene_test(shorter      SCENE stiff_floor CHECK shorter.py LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
 mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
-mortise_scene_test(drags        SCENE strips CHECK drags.py ARGS -a_dm_plex_box_faces 80,1,1 -a_dm_plex_box_upper 320,1,1)
+mortise_scene_test(drags        LONG SCENE strips CHECK drags.py ARGS -a_dm_plex_box_faces 80,1,1 -a_dm_plex_box_upper 320,1,1)
 mortise_scene_test(ball         CHECK ball.py ARGS -order 2 -ball_dm_plex_box_faces 11,11,11)

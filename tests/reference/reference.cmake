@@ -11,9 +11,13 @@ endforeach()
 
 # Scenes put together at random, whose numbers begin at the last word of the title.
 foreach(first 0 12 24 36)
-  mortise_scene_test(scatter_${first} OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 1 LABELS regression ARGS -title "Random scenes from ${first}")
+  set(long)
+  if(first GREATER 12)
+    set(long LONG)
+  endif()
+  mortise_scene_test(scatter_${first} ${long} OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 1 LABELS regression ARGS -title "Random scenes from ${first}")
 endforeach()
-mortise_scene_test(scatter_ranks OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
+mortise_scene_test(scatter_ranks LONG OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 3 LABELS regression ARGS -title "Random scenes from 48")
 mortise_scene_test(scatter_space OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 1 LABELS regression ARGS -title "Random scenes from 0")
 mortise_scene_test(scatter_space_ranks LONG OWN_RUNS SCENE plates_quads/scene CHECK scatter_space.py RANKS 3 LABELS regression ARGS -title "Random scenes from 40")
 

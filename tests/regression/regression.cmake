@@ -19,7 +19,7 @@ mortise_scene_test(invariance SCENE two_plates CHECK invariance.py ARGS -upper_d
 mortise_scene_test(iterative SCENE two_plates CHECK iterative.py ARGS -upper_dm_plex_box_faces 32,32 -lower_dm_plex_box_faces 24,24)
 mortise_scene_test(measured SCENE two_plates CHECK measured.py
   ARGS -pc_type truncatedmg -dm_refine 2 -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -measure_linear)
-mortise_scene_test(iterative_vertices SCENE two_plates CHECK iterative.py
+mortise_scene_test(iterative_vertices LONG SCENE two_plates CHECK iterative.py
   ARGS -order 2 -joint_multipliers vertices -upper_dm_plex_box_faces 24,24 -lower_dm_plex_box_faces 18,18)
 mortise_scene_test(corner CHECK corner.py RANKS 1 3)
 mortise_scene_test(listed_full OWN_RUNS SCENE manufactured_full CHECK listed.py)

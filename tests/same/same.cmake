@@ -62,7 +62,7 @@ mortise_scene_test(tied_vertices SCENE tied CHECK same.py LABELS cross mpi ARGS 
 mortise_scene_test(half_discs_vertices SCENE half_discs CHECK same.py LABELS cross mpi ARGS -cross_check -order 2 -joint_multipliers vertices)
 
 # Boxes of many cells, of which each rank makes its own, on up to eight ranks.
-mortise_scene_test(parts SCENE two_plates CHECK same.py RANKS 1 8 LONG_RANKS 2 3 LABELS cross mpi
+mortise_scene_test(parts SCENE two_plates CHECK same.py RANKS 1 LONG_RANKS 2 3 8 LABELS cross mpi
   ARGS -cross_check -upper_dm_plex_box_faces 72,71 -lower_dm_plex_box_faces 56,55 -upper_dm_plex_simplex 1)
 mortise_scene_test(parts_solid SCENE spherical_gap CHECK same.py RANKS 1 LONG_RANKS 3 LABELS cross mpi
   ARGS -cross_check -order 1 -upper_dm_plex_box_faces 17,15,13 -lower_dm_plex_box_faces 9,11,9)
