@@ -1,7 +1,7 @@
 /* threads.c -- see the header.
 
    CHOLMOD takes four threads for blocks of a few rows, whatever OMP_NUM_THREADS is, and OpenBLAS one on each
-   processor. Mostly they wait for one another. A user who sets a number of threads has them. */
+   processor. These threads mostly wait for one another. A number of threads that the user sets is kept. */
 #define _GNU_SOURCE // RTLD_DEFAULT
 #include "base/threads.h"
 #include <dlfcn.h>

@@ -90,13 +90,13 @@ void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt w
 /* The numbers of the blocks, in double or in single precision; the other one is NULL. Functions that have
    them are inlined where it is known which. */
 typedef struct {
-  const PetscScalar *twice;
-  const float       *once;
+  const PetscScalar *fp64;
+  const float       *fp32;
 } Numbers;
 
 static inline PetscScalar NumbersGet_Private(Numbers numbers, size_t at)
 {
-  return numbers.once ? (PetscScalar)numbers.once[at] : numbers.twice[at];
+  return numbers.fp32 ? (PetscScalar)numbers.fp32[at] : numbers.fp64[at];
 }
 
 /* Inlined where bs is a constant: then its loops are unrolled. */
@@ -146,7 +146,7 @@ static inline void SymmetricBlocksMult_Private(const SymmetricBlocks *blocks, co
 
 WITH_AVX2_INLINE __m256d NumbersLoad_AVX2(const Numbers numbers, size_t at)
 {
-  return numbers.once ? _mm256_cvtps_pd(_mm_loadu_ps(&numbers.once[at])) : _mm256_loadu_pd(&numbers.twice[at]);
+  return numbers.fp32 ? _mm256_cvtps_pd(_mm_loadu_ps(&numbers.fp32[at])) : _mm256_loadu_pd(&numbers.fp64[at]);
 }
 
 /* The same for blocks of the plane on processors with AVX2: a register has a whole block. */
@@ -217,10 +217,10 @@ WITH_AVX2_INLINE void SymmetricBlocksAddSpace_AVX2(const SymmetricBlocks *blocks
   }
 }
 
-WITH_AVX2 static void SymmetricBlocksAddTwice_AVX2(const SymmetricBlocks *blocks, PetscReal factor,
-                                                   const PetscScalar x[], PetscScalar y[])
+WITH_AVX2 static void SymmetricBlocksAddDouble_AVX2(const SymmetricBlocks *blocks, PetscReal factor,
+                                                    const PetscScalar x[], PetscScalar y[])
 {
-  const Numbers numbers = {.twice = blocks->value};
+  const Numbers numbers = {.fp64 = blocks->value};
 
   if (blocks->bs == 2)
     SymmetricBlocksAddPlane_AVX2(blocks, numbers, factor, x, y);
@@ -228,10 +228,10 @@ WITH_AVX2 static void SymmetricBlocksAddTwice_AVX2(const SymmetricBlocks *blocks
     SymmetricBlocksAddSpace_AVX2(blocks, numbers, factor, x, y);
 }
 
-WITH_AVX2 static void SymmetricBlocksAddOnce_AVX2(const SymmetricBlocks *blocks, const float single[],
-                                                  const PetscScalar x[], PetscScalar y[])
+WITH_AVX2 static void SymmetricBlocksAddSingle_AVX2(const SymmetricBlocks *blocks, const float single[],
+                                                    const PetscScalar x[], PetscScalar y[])
 {
-  const Numbers numbers = {.once = single};
+  const Numbers numbers = {.fp32 = single};
 
   if (blocks->bs == 2)
     SymmetricBlocksAddPlane_AVX2(blocks, numbers, 1, x, y);
@@ -244,9 +244,9 @@ static PetscBool SymmetricBlocksHasAVX2_Private(void)
   return (PetscBool)(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"));
 }
 #else
-#define SymmetricBlocksAddTwice_AVX2(...) (void)0
-#define SymmetricBlocksAddOnce_AVX2(...)  (void)0
-#define SymmetricBlocksHasAVX2_Private()  PETSC_FALSE
+#define SymmetricBlocksAddDouble_AVX2(...) (void)0
+#define SymmetricBlocksAddSingle_AVX2(...) (void)0
+#define SymmetricBlocksHasAVX2_Private()   PETSC_FALSE
 #endif
 
 static void SymmetricBlocksClear_Private(const SymmetricBlocks *blocks, PetscScalar y[])
@@ -258,14 +258,14 @@ void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor
                                  PetscScalar y[])
 {
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksMult_Private(blocks, (Numbers){.twice = blocks->value}, factor, x, y);
+  SymmetricBlocksMult_Private(blocks, (Numbers){.fp64 = blocks->value}, factor, x, y);
 }
 
 void SymmetricBlocksMultSinglePortably(const SymmetricBlocks *blocks, const float single[], const PetscScalar x[],
                                        PetscScalar y[])
 {
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksMult_Private(blocks, (Numbers){.once = single}, 1, x, y);
+  SymmetricBlocksMult_Private(blocks, (Numbers){.fp32 = single}, 1, x, y);
 }
 
 void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[])
@@ -275,7 +275,7 @@ void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const 
     return;
   }
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksAddTwice_AVX2(blocks, factor, x, y);
+  SymmetricBlocksAddDouble_AVX2(blocks, factor, x, y);
 }
 
 PetscErrorCode SymmetricBlocksCreateSingle(const SymmetricBlocks *blocks, PetscReal factor, float **single)
@@ -297,5 +297,5 @@ void SymmetricBlocksMultSingle(const SymmetricBlocks *blocks, const float single
     return;
   }
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksAddOnce_AVX2(blocks, single, x, y);
+  SymmetricBlocksAddSingle_AVX2(blocks, single, x, y);
 }
