@@ -4,7 +4,7 @@
    Facets give offsets to their nodes, and all ranks sum them. The middle node of a quadrilateral or
    hexahedron moves by half or a quarter of the sum of its edges' offsets (Coons): cells stay valid.
    Everything happens before maps. */
-#include "mesh/meshimpl.h"
+#include "mesh/refinement.h"
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -235,11 +235,10 @@ static PetscErrorCode ArcsRun_Private(Arcs *arcs, const ArcSides *sides)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine)
+PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine)
 {
-  Arcs           arcs = {.from = coarse, .to = fine};
-  DMPolytopeType source, target;
-  PetscInt       begin, end, point, replica;
+  Arcs     arcs = {.from = coarse, .to = fine};
+  PetscInt begin, end;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetChart(coarse->dm, &arcs.begin, &arcs.end));
@@ -247,8 +246,10 @@ PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTran
   for (PetscInt p = 0; p < arcs.end - arcs.begin; p++) arcs.node[p] = -1;
   PetscCall(DMPlexGetDepthStratum(fine->dm, 0, &begin, &end));
   for (PetscInt v = begin; v < end; v++) {
-    PetscCall(DMPlexTransformGetSourcePoint(transform, v, &source, &target, &point, &replica));
-    if (source != DM_POLYTOPE_POINT) arcs.node[point - arcs.begin] = PointGetNode(fine, v);
+    PetscBool      vertex;
+    const PetscInt point = RefinementGetSource(refinement, v, &vertex);
+
+    if (!vertex) arcs.node[point - arcs.begin] = PointGetNode(fine, v);
   }
   PetscCall(ArcsRun_Private(&arcs, sides));
   PetscFunctionReturn(PETSC_SUCCESS);

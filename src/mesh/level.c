@@ -1,5 +1,5 @@
 /* level.c -- the tables of one DMPlex, and those of its refinement. */
-#include "mesh/meshimpl.h"
+#include "mesh/refinement.h"
 #include "base/compat.h"
 
 PetscInt LevelNumVertices(const Level *level, PetscInt cell)
@@ -50,25 +50,20 @@ PetscInt SceneMaxOrder(Scene scene)
   return max_order;
 }
 
-/* Only the transform knows the origin of each new point, so the prolongation is created here. */
+/* Only the refinement knows the origin of each new point, so the prolongation is created here. */
 PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
 {
-  DMPlexTransform transform;
-  DM              dm;
+  Refinement refinement;
+  DM         dm;
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexTransformCreate(coarse->comm, &transform));
-  PetscCall(DMPlexTransformSetDM(transform, coarse->dm));
-  PetscCall(DMPlexTransformSetType(transform, DMPLEXREFINEREGULAR));
-  PetscCall(DMPlexTransformSetUp(transform));
-  PetscCall(DMPlexTransformApply(transform, coarse->dm, &dm));
+  PetscCall(RefinementCreate(coarse->dm, &refinement, &dm));
   PetscCall(LevelBegin_Private(coarse->scene, dm, fine));
-  PetscCall(LevelFollowCellMaterials(coarse, transform, fine));
+  PetscCall(LevelFollowCellMaterials(coarse, &refinement, fine));
   PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
-  PetscCall(LevelCreateProlongation(coarse, transform, fine));
-  PetscCall(LevelFollowCoords(coarse, sides, transform, fine));
+  PetscCall(LevelCreateProlongation(coarse, &refinement, fine));
+  PetscCall(LevelFollowCoords(coarse, sides, &refinement, fine));
   PetscCall(DMDestroy(&dm));
-  PetscCall(DMPlexTransformDestroy(&transform));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,7 +1,7 @@
 /* levelcells.c -- the cells of a level: bodies, materials, nodes, and a check of their shape.
 
    Loops over elements need plain arrays: nodes of cells are read from the DM once, here. */
-#include "mesh/meshimpl.h"
+#include "mesh/refinement.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 
@@ -35,18 +35,18 @@ PetscErrorCode LevelSetCellMaterials(Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform transform, Level *fine)
+PetscErrorCode LevelFollowCellMaterials(const Level *coarse, const Refinement *refinement, Level *fine)
 {
-  DMPolytopeType source, target;
-  PetscInt       begin, coarse_begin, cell, replica;
+  PetscInt begin, coarse_begin;
 
   PetscFunctionBeginUser;
   PetscCall(DMPlexGetHeightStratum(coarse->dm, 0, &coarse_begin, NULL));
   PetscCall(DMPlexGetHeightStratum(fine->dm, 0, &begin, NULL));
   for (PetscInt c = 0; c < fine->num_cells; c++) {
-    PetscCall(DMPlexTransformGetSourcePoint(transform, begin + c, &source, &target, &cell, &replica));
-    fine->cell_material[c] = coarse->cell_material[cell - coarse_begin];
-    fine->cell_body[c]     = coarse->cell_body[cell - coarse_begin];
+    const PetscInt cell = RefinementGetSource(refinement, begin + c, NULL) - coarse_begin;
+
+    fine->cell_material[c] = coarse->cell_material[cell];
+    fine->cell_body[c]     = coarse->cell_body[cell];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -169,7 +169,7 @@ PetscErrorCode LevelBeginArcs(Level *level)
 
 /* Fine nodes are on the coarse isoparametric cells, so that refinement stays on a file's curves; or on the
    arcs over straight edges. All ranks take the same branch, also those without nodes. */
-PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine)
+PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine)
 {
   PetscFunctionBeginUser;
   if (!coarse->unmapped) {
@@ -178,7 +178,7 @@ PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTra
   }
   PetscCall(PetscMalloc1(fine->num_nodes * fine->dim + 1, &fine->unmapped));
   for (PetscInt d = 0; d < fine->dim; d++) PetscCall(LevelProlongCoord_Private(coarse, fine, d));
-  if (sides->any) PetscCall(LevelArcVertices(coarse, sides, transform, fine));
+  if (sides->any) PetscCall(LevelArcVertices(coarse, sides, refinement, fine));
   PetscCall(LevelCurveMiddles_Private(fine));
   PetscCall(LevelMapCoords_Private(fine, fine->unmapped));
   PetscFunctionReturn(PETSC_SUCCESS);

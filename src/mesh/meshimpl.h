@@ -6,10 +6,11 @@
 #define MORTISE_MESHIMPL_H
 
 #include "mesh/mesh.h"
-#include <petscdmplextransform.h>
 #include "gmsh/gmsh.h"
 
 enum { MESH_SENTENCE = 1024 }; /* length of the sentence of a user error */
+
+typedef struct _n_Refinement Refinement; /* refinement.h */
 
 /* Connected sets of cells that touch and are not joined. */
 typedef struct {
@@ -108,6 +109,10 @@ PetscErrorCode ShapesBound(Shapes *upper, PetscInt num_vertices, Shapes *lower);
 extern const DMPolytopeType PlexPolytope[];
 /* Cells, edges, vertices and their positions, without labels. Collective on comm. */
 PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], const Numbering *numbering, DM *dm);
+
+/* Room for the positions of all vertices in order, for DMSetCoordinatesLocal(). Collective on the DM.
+   [out] coords - [vertices][dim], owned by the caller */
+PetscErrorCode PlexCreateCoords(DM dm, PetscInt dim, Vec *coords);
 
 /* Positions before the map of nodes on edges and in cells, where a file gives them. */
 typedef struct {
@@ -213,8 +218,8 @@ PetscInt SceneMaxOrder(Scene scene);
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
 /* Parts of LevelCreateTables(): cell_material and cell_body, from the label; */
 PetscErrorCode LevelSetCellMaterials(Level *level);
-/* or, for a refined level, from where its cells come from; [in] transform - from coarse to fine */
-PetscErrorCode LevelFollowCellMaterials(const Level *coarse, DMPlexTransform transform, Level *fine);
+/* or, for a refined level, from where its cells come from; [in] refinement - from coarse to fine */
+PetscErrorCode LevelFollowCellMaterials(const Level *coarse, const Refinement *refinement, Level *fine);
 /* cell_start, cell_type, cell_nodes from the present point_node; */
 PetscErrorCode LevelSetCells(Level *level);
 /* nodes: number, owner, body, local section of the DM, and cells by LevelSetCells(). Collective. */
@@ -252,7 +257,7 @@ PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
 PetscErrorCode ArcSidesDestroy(ArcSides *sides);
 /* Moves vertices of a refined level to the curves over coarse edges, or middle nodes of a level to the curves
    over its own edges. Positions are those before maps, which both levels have. Collective. */
-PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
+PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine);
 PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
 /* The offset of an edge, from those by its facets. Two facets of one patch give the same offset: it is half
    of their sum. Two facets of different patches give orthogonal offsets: it is their sum. Sides fixed along
@@ -269,7 +274,7 @@ void           FacetsTurnOut(const Level *level, Facets *facets);
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);
 /* The same for a refined level that has its prolongation. Collective.
    [in] sides - smooth sides of bodies of order 1 */
-PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, DMPlexTransform transform, Level *fine);
+PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine);
 /* Orients all cells anticlockwise, or solids so that facets are anticlockwise from outside. User errors: a
    degenerate or tangled cell, a map that folds a body. Collective.
    [out] sound - false in place of a user error, the same on all ranks; optional, may be NULL */
@@ -280,9 +285,8 @@ void CellReverse(ElementType type, PetscInt nodes[]);
    [in] sides - smooth ones of bodies of order 1 */
 PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
 PetscErrorCode LevelDestroy(Level *level);
-/* fine->prolongation, by the origin of each fine node. Collective. [in] transform - a DMPlexTransform
-   from coarse to fine */
-PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine);
+/* fine->prolongation, by the origin of each fine node. Collective. [in] refinement - from coarse to fine */
+PetscErrorCode LevelCreateProlongation(const Level *coarse, const Refinement *refinement, Level *fine);
 
 /* Curves of files of second order under bodies of order 1: mesh->shape, NULL where there are none. Create
    makes them from the coarsest level. Refine refines them, and moves the nodes of the finest level of the

@@ -128,35 +128,44 @@ static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes sh
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Positions before any map: refinement halves edges there, and maps are applied to the result. */
-static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Numbering *numbering, PetscInt dim, DM dm)
+PetscErrorCode PlexCreateCoords(DM dm, PetscInt dim, Vec *coords)
 {
-  const PetscInt first = numbering->num_cells, end = first + numbering->num_vertices;
-  PetscSection   section;
-  Vec            coords;
-  PetscScalar   *x;
-  DM             coord_dm;
+  PetscInt     begin, end;
+  PetscSection section;
+  DM           coord_dm;
 
   PetscFunctionBeginUser;
+  PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));
   PetscCall(DMSetCoordinateDim(dm, dim));
   PetscCall(DMGetCoordinateDM(dm, &coord_dm));
   PetscCall(DMGetCoordinateSection(dm, &section));
   PetscCall(PetscSectionSetNumFields(section, 1));
   PetscCall(PetscSectionSetFieldComponents(section, 0, dim));
-  PetscCall(PetscSectionSetChart(section, first, end));
-  for (PetscInt v = first; v < end; v++) {
+  PetscCall(PetscSectionSetChart(section, begin, end));
+  for (PetscInt v = begin; v < end; v++) {
     PetscCall(PetscSectionSetDof(section, v, dim));
     PetscCall(PetscSectionSetFieldDof(section, v, 0, dim));
   }
   PetscCall(PetscSectionSetUp(section));
-  PetscCall(VecCreate(PETSC_COMM_SELF, &coords));
-  PetscCall(PetscObjectSetName((PetscObject)coords, "coordinates"));
-  PetscCall(VecSetSizes(coords, numbering->num_vertices * dim, PETSC_DETERMINE));
-  PetscCall(VecSetBlockSize(coords, dim));
-  PetscCall(VecSetType(coords, VECSTANDARD));
+  PetscCall(VecCreate(PETSC_COMM_SELF, coords));
+  PetscCall(PetscObjectSetName((PetscObject)*coords, "coordinates"));
+  PetscCall(VecSetSizes(*coords, (end - begin) * dim, PETSC_DETERMINE));
+  PetscCall(VecSetBlockSize(*coords, dim));
+  PetscCall(VecSetType(*coords, VECSTANDARD));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Positions before any map: refinement halves edges there, and maps are applied to the result. */
+static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Numbering *numbering, PetscInt dim, DM dm)
+{
+  Vec          coords;
+  PetscScalar *x;
+
+  PetscFunctionBeginUser;
+  PetscCall(PlexCreateCoords(dm, dim, &coords));
   PetscCall(VecGetArray(coords, &x));
   for (PetscInt b = 0; b < numbering->num_bodies; b++) {
-    const PetscInt offset = (numbering->first_vertex[b] - first) * dim;
+    const PetscInt offset = (numbering->first_vertex[b] - numbering->num_cells) * dim;
 
     for (PetscInt i = 0; i < lists[b].num_vertices * dim; i++) x[offset + i] = lists[b].coords[i];
   }

@@ -4,7 +4,7 @@
    or cell) of its origin. Fine vertices are middles of coarse points, other fine nodes are middles of fine
    vertices. So every position is a mean of reference coordinates, for any dimension and order. Polynomials of
    the lower of both orders are reproduced exactly on straight cells. */
-#include "mesh/meshimpl.h"
+#include "mesh/refinement.h"
 #include "base/compat.h"
 
 /* A Mat under assembly whose rows are this rank's nodes. */
@@ -57,15 +57,13 @@ static PetscErrorCode RowsToMat_Private(Rows *rows, const Level *from, const Lev
 /* Adds a fine vertex's reference coordinates in a coarse element: the mean over the vertices of the point it
    comes from.
    [in] nodes - of the element; [in,out] xi - [ElementDim] */
-static PetscErrorCode VertexAddPlace_Private(const Level *coarse, DMPlexTransform transform, PetscInt vertex,
+static PetscErrorCode VertexAddPlace_Private(const Level *coarse, const Refinement *refinement, PetscInt vertex,
                                              ElementType type, const PetscInt nodes[], PetscReal share, PetscReal xi[])
 {
-  DMPolytopeType source, target;
-  PetscInt       point, replica, num, vertices[ELEMENT_MAX_NODES];
+  PetscInt num, vertices[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexTransformGetSourcePoint(transform, vertex, &source, &target, &point, &replica));
-  PetscCall(PointGetVertices(coarse->dm, point, &num, vertices));
+  PetscCall(PointGetVertices(coarse->dm, RefinementGetSource(refinement, vertex, NULL), &num, vertices));
   for (PetscInt i = 0; i < num; i++) {
     PetscInt k = 0;
 
@@ -76,17 +74,17 @@ static PetscErrorCode VertexAddPlace_Private(const Level *coarse, DMPlexTransfor
 }
 
 /* Weights of coarse nodes at the node on a fine point. [out] nodes - local, weights - [ELEMENT_MAX_NODES] */
-static PetscErrorCode PointGetWeights_Private(const Level *coarse, DMPlexTransform transform, const Level *fine,
+static PetscErrorCode PointGetWeights_Private(const Level *coarse, const Refinement *refinement, const Level *fine,
                                               PetscInt point, PetscInt *num, PetscInt nodes[], PetscReal weights[])
 {
-  DMPolytopeType source, target;
-  PetscInt       from, replica, num_vertices, vertices[ELEMENT_MAX_NODES];
-  PetscReal      xi[3] = {0, 0, 0};
-  ElementType    type;
+  PetscInt    from, num_vertices, vertices[ELEMENT_MAX_NODES];
+  PetscReal   xi[3] = {0, 0, 0};
+  ElementType type;
+  PetscBool   vertex;
 
   PetscFunctionBeginUser;
-  PetscCall(DMPlexTransformGetSourcePoint(transform, point, &source, &target, &from, &replica));
-  if (source == DM_POLYTOPE_POINT) {
+  from = RefinementGetSource(refinement, point, &vertex);
+  if (vertex) {
     *num       = 1;
     nodes[0]   = PointGetNode(coarse, from);
     weights[0] = 1;
@@ -95,13 +93,13 @@ static PetscErrorCode PointGetWeights_Private(const Level *coarse, DMPlexTransfo
   PetscCall(PointGetNodes(coarse, from, &type, nodes));
   PetscCall(PointGetVertices(fine->dm, point, &num_vertices, vertices));
   for (PetscInt i = 0; i < num_vertices; i++)
-    PetscCall(VertexAddPlace_Private(coarse, transform, vertices[i], type, nodes, (PetscReal)1 / num_vertices, xi));
+    PetscCall(VertexAddPlace_Private(coarse, refinement, vertices[i], type, nodes, (PetscReal)1 / num_vertices, xi));
   ElementShape(type, xi, weights, NULL);
   *num = ElementNumNodes(type);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform transform, Level *fine)
+PetscErrorCode LevelCreateProlongation(const Level *coarse, const Refinement *refinement, Level *fine)
 {
   PetscInt *point;
   Rows      rows;
@@ -113,7 +111,7 @@ PetscErrorCode LevelCreateProlongation(const Level *coarse, DMPlexTransform tran
     PetscInt  num = 0, nodes[ELEMENT_MAX_NODES];
     PetscReal weights[ELEMENT_MAX_NODES];
 
-    PetscCall(PointGetWeights_Private(coarse, transform, fine, point[i], &num, nodes, weights));
+    PetscCall(PointGetWeights_Private(coarse, refinement, fine, point[i], &num, nodes, weights));
     PetscCall(RowsSet_Private(&rows, i, coarse, num, nodes, weights));
   }
   PetscCall(RowsToMat_Private(&rows, coarse, fine, &fine->prolongation));
