@@ -40,6 +40,8 @@ typedef struct {
   PetscInt       waiting; /* steps since the last one that descended */
   PetscBool      told;    /* decisions are set in the cycle */
   PetscBool      begun;   /* units have decided */
+  PetscBool      decided; /* the last step has made the decisions of the next one */
+  PetscInt       changed; /* units that do something else by them */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
   PetscBool      turns;   /* units have two tangents: slip may turn */
 } Krylov;
@@ -178,8 +180,8 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes the decisions, and sets them in the cycle. [in] residual - at y; [out] forcing - accuracy of the
-   system of these decisions */
+/* Makes the decisions, unless the last step did, and sets them in the cycle. [in] residual - at y;
+   [out] forcing - accuracy of the system of these decisions */
 static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscReal residual, FrictionStep *step,
                                                    PetscReal *forcing)
 {
@@ -188,7 +190,8 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   FrictionReport  count;
 
   PetscFunctionBeginUser;
-  if (t->begun) PetscCall(FrictionUnitsDecide(&method->units, &step->changed));
+  if (t->begun && !t->decided) PetscCall(FrictionUnitsDecide(&method->units, &t->changed));
+  step->changed = t->begun ? t->changed : 0;
   PetscCall(FrictionUnitsCount(&method->units, &count, &step->closed));
   *forcing = t->begun ? FrictionKrylovForce_Private(t, rtol, residual, &count, step) : t->forcing;
   PetscCall(VecCopy(t->y, t->begin));
@@ -197,6 +200,51 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   if (step->changed || !t->told) PetscCall(FrictionLinearTell(&t->linear));
   t->same  = (PetscBool)(t->same && !step->changed);
   t->begun = t->told = PETSC_TRUE;
+  t->decided         = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves the system of the decisions. [in] before - the residual before it; [in] forcing - its accuracy;
+   [in,out] step */
+static PetscErrorCode FrictionKrylovSolve_Private(FrictionMethod method, PetscReal before, PetscReal forcing,
+                                                  FrictionStep *step)
+{
+  Krylov *t = method->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionKrylovLoad_Private(method));
+  t->linear.coupled = PETSC_TRUE;
+  PetscCall(FrictionLinearSolve(&t->linear, forcing, t->f, t->d, &step->iterations));
+  PetscCall(VecAXPY(t->y, 1, t->d));
+  PetscCall(FrictionKrylovEvaluate_Private(method, step));
+  if (!step->done) PetscCall(FrictionKrylovSearch_Private(method, step));
+  t->ratio              = before > 0 ? step->residual / before : 1;
+  t->waiting            = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
+  t->least              = PetscMin(t->least, step->residual);
+  method->units.waiting = t->waiting;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves the same system to the tolerance if its inexact solution confirms the decisions: it is then the law
+   itself. Slip in space may turn, and that is another system. [in,out] step */
+static PetscErrorCode FrictionKrylovConfirm_Private(FrictionMethod method, FrictionStep *step)
+{
+  const PetscReal rtol = FrictionKrylovTolerance_Private(method->solver);
+  Krylov         *t    = method->data;
+  FrictionReport  count;
+  FrictionStep    confirmed = {.changed = 0};
+  PetscReal       forcing;
+
+  PetscFunctionBeginUser;
+  if (step->done || step->shortened) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionUnitsCount(&method->units, &count, &confirmed.closed));
+  if (t->turns && count.slipping) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionUnitsDecide(&method->units, &t->changed));
+  t->decided = PETSC_TRUE;
+  if (t->changed) PetscFunctionReturn(PETSC_SUCCESS);
+  forcing = FrictionKrylovForce_Private(t, rtol, step->residual, &count, &confirmed);
+  PetscCall(FrictionKrylovSolve_Private(method, step->residual, forcing, step));
+  t->decided = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -209,16 +257,8 @@ static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
   PetscFunctionBeginUser;
   PetscCall(FrictionKrylovEvaluate_Private(method, &before));
   PetscCall(FrictionKrylovDecide_Private(method, before.residual, step, &forcing));
-  PetscCall(FrictionKrylovLoad_Private(method));
-  t->linear.coupled = PETSC_TRUE;
-  PetscCall(FrictionLinearSolve(&t->linear, forcing, t->f, t->d, &step->iterations));
-  PetscCall(VecAXPY(t->y, 1, t->d));
-  PetscCall(FrictionKrylovEvaluate_Private(method, step));
-  if (!step->done) PetscCall(FrictionKrylovSearch_Private(method, step));
-  t->ratio              = before.residual > 0 ? step->residual / before.residual : 1;
-  t->waiting            = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
-  t->least              = PetscMin(t->least, step->residual);
-  method->units.waiting = t->waiting;
+  PetscCall(FrictionKrylovSolve_Private(method, before.residual, forcing, step));
+  PetscCall(FrictionKrylovConfirm_Private(method, step));
   if (!step->done && t->waiting >= PATIENCE) method->pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

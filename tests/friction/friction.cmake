@@ -7,6 +7,7 @@ mortise_scene_test(greco CHECK greco.py RANKS 1 LONG_RANKS 3 ARGS -dm_refine 2 -
 mortise_scene_test(adaptive SCENE greco CHECK adaptive.py RANKS 1 LONG_RANKS 3 ARGS -block_dm_plex_box_faces 8,8 -adapt 5e-4)
 mortise_scene_test(warm SCENE fretting CHECK warm.py RANKS 1 ARGS -load_steps 1,2,3 -adapt 3e-2)
 mortise_scene_test(warm_multigrid SCENE fretting CHECK warm.py RANKS 1 LONG_RANKS 3 ARGS -load_steps 1,2,3 -adapt 3e-2 -pc_type truncatedmg)
+mortise_scene_test(warm_pull_off SCENE pull_off CHECK warm.py RANKS 1 ARGS -adapt 2e-3 -pc_type truncatedmg)
 mortise_scene_test(warm_nested SCENE clamp CHECK warm.py RANKS 1 ARGS -load_steps 0.6 -dm_refine 2 -pc_type truncatedmg)
 mortise_scene_test(energy OWN_RUNS SCENE greco CHECK energy.py RANKS 1 LONG_RANKS 3)
 # Halved steps.
