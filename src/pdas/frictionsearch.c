@@ -13,8 +13,9 @@
 /* A step is shortened if the slope of the energy at its end is above this part of the slope at its begin.
    BISECTIONS: their number for the part. */
 static const PetscReal OVERSHOOT = 0.1;
-/* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of a
-   shortened step: in space a step passes the end of slip at a distance. */
+/* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of their way
+   in a shortened step: in space a step passes the end of slip at a distance. Relative to the whole step, all
+   units of a body that slides freely would stick. */
 static const PetscReal SLIP_ENDS = 0.02;
 enum { SLOW_STEPS = 6 };
 enum { BISECTIONS = 40 };
@@ -85,21 +86,34 @@ static PetscErrorCode FrictionSearchEnergy_Private(const FrictionUnits *units, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks units whose slip ends at alpha. */
-static void FrictionSearchMark_Private(FrictionUnits *units, const PetscReal from[], PetscReal alpha)
+/* Squared slip of a unit at alpha over its squared step; above 1 where it does not slip. */
+static PetscReal FrictionSearchEnd_Private(const FrictionUnits *units, const FrictionUnit *unit, const PetscReal from[],
+                                           PetscReal alpha)
 {
-  for (PetscInt a = 0; a < units->num; a++) {
-    FrictionUnit *unit = &units->unit[a];
-    PetscReal     end = 0, step = 0;
+  PetscReal end = 0, step = 0;
 
-    for (PetscInt i = 0; i < unit->num; i++) {
-      const PetscReal d = units->y[unit->tangent[i]] - from[unit->tangent[i]];
+  for (PetscInt i = 0; i < unit->num; i++) {
+    const PetscReal d = units->y[unit->tangent[i]] - from[unit->tangent[i]];
 
-      end += PetscSqr(from[unit->tangent[i]] + alpha * d - unit->origin[i]);
-      step += d * d;
-    }
-    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && end <= PetscSqr(SLIP_ENDS) * step);
+    end += PetscSqr(from[unit->tangent[i]] + alpha * d - unit->origin[i]);
+    step += d * d;
   }
+  return unit->status == UNIT_SLIP && step > 0 ? end / step : PETSC_MAX_REAL;
+}
+
+/* Marks units whose slip ends at alpha: the nearest one to its end, and all near it. Collective. */
+static PetscErrorCode FrictionSearchMark_Private(FrictionUnits *units, const PetscReal from[], PetscReal alpha)
+{
+  PetscReal least = PETSC_MAX_REAL, limit;
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < units->num; a++)
+    least = PetscMin(least, FrictionSearchEnd_Private(units, &units->unit[a], from, alpha));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPIU_REAL, MPI_MIN, units->comm));
+  limit = PetscMax(least, PetscSqr(SLIP_ENDS * alpha));
+  for (PetscInt a = 0; a < units->num && least <= PetscSqr(SLIP_ENDS); a++)
+    units->unit[a].ended = (PetscBool)(FrictionSearchEnd_Private(units, &units->unit[a], from, alpha) <= limit);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
@@ -124,6 +138,6 @@ PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[],
       outer = middle;
   }
   *alpha = outer;
-  if (units->waiting >= SLOW_STEPS) FrictionSearchMark_Private(units, from, outer);
+  if (units->waiting >= SLOW_STEPS) PetscCall(FrictionSearchMark_Private(units, from, outer));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
