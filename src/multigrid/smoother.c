@@ -13,6 +13,7 @@
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/blocksmoother.h"
+#include "multigrid/envelopefactor.h"
 #include "multigrid/galerkin.h"
 #include "multigrid/graphcomponents.h"
 #include "multigrid/patchsmoother.h"
@@ -186,6 +187,7 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
   if (found) {
     PetscCall(SmootherCreateBlocks_Private(op, &ghosts, label, S));
     PetscCall(SmootherCondense_Private(op, S));
+    PetscCall(EnvelopeFactorKeep(*S, op->dim, label));
   } else if (finest && op->T && (weighs || single)) {
     PetscCall(BodySmootherCreate(op, S));
   }
@@ -222,6 +224,7 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
   PetscCall(MatZeroRowsColumns(*S, num, rows, 1, NULL, NULL));
   PetscCall(PetscFree(rows));
   PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
+  PetscCall(EnvelopeFactorSetBase(*S, from));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -237,6 +240,7 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor)
   }
   PetscCall(BodySmootherIs(S, &by_body));
   PetscCall(MatScale(S, by_body ? 1 / factor : factor));
+  if (!by_body) PetscCall(EnvelopeFactorScale(S, factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -255,20 +259,19 @@ static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* CHOLMOD is fast for the dense parts of plane factors; line factors are sparse, and any package will do. For
-   a rank without rows CHOLMOD reports an error. */
-static PetscErrorCode SmootherConfigureFactor_Private(KSP ksp)
+/* Lines and narrow planes within their envelope. CHOLMOD is fast for the dense parts of the factors of wide
+   planes; for a rank without rows it reports an error. */
+static PetscErrorCode SmootherConfigureFactor_Private(PC pc)
 {
   PetscInt  n;
-  PetscBool available;
+  PetscBool available, done;
   Mat       S;
-  PC        pc;
 
   PetscFunctionBeginUser;
-  PetscCall(KSPGetOperators(ksp, NULL, &S));
-  PetscCall(KSPSetType(ksp, KSPPREONLY));
-  PetscCall(KSPGetPC(ksp, &pc));
+  PetscCall(PCGetOperators(pc, NULL, &S));
   PetscCall(PCSetType(pc, PCNONE)); // forgets the package: rows may have gone to another rank
+  PetscCall(EnvelopeFactorSetPC(pc, S, &done));
+  if (done) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PCSetType(pc, PCCHOLESKY));
   PetscCall(MatGetFactorAvailable(S, MATSOLVERCHOLMOD, MAT_FACTOR_CHOLESKY, &available));
   PetscCall(MatGetSize(S, &n, NULL));
@@ -283,6 +286,7 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
   PetscMPIInt size;
   PetscBool   by_body = PETSC_FALSE;
   KSP        *own;
+  PC          inner;
 
   PetscFunctionBeginUser;
   if (S) PetscCall(BodySmootherIs(S, &by_body));
@@ -295,12 +299,12 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
     PetscCall(SmootherSetSubdomains_Private(pc, S));
     PetscCall(PCSetUp(pc));
     PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
+    PetscCall(KSPSetType(own[0], KSPPREONLY));
+    PetscCall(KSPGetPC(own[0], &inner));
+    PetscCall(SmootherConfigureFactor_Private(inner));
   } else {
-    PetscCall(PCSetType(pc, PCBJACOBI));
-    PetscCall(PCSetUp(pc));
-    PetscCall(PCBJacobiGetSubKSP(pc, NULL, NULL, &own));
+    PetscCall(SmootherConfigureFactor_Private(pc));
   }
-  PetscCall(SmootherConfigureFactor_Private(own[0]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
