@@ -11,6 +11,7 @@
 #include "base/usererror.h"
 #include "kernel/wide.h"
 #include "problem/cellsums.h"
+#include "problem/congruentcells.h"
 #include "problem/loads.h"
 #include "problem/volumestrain.h"
 
@@ -232,10 +233,11 @@ static void ElasticityAddHoop_Private(PetscInt nn, const Moduli *moduli, PetscRe
   }
 }
 
-/* Workspace for the points of one cell, and the first fault of their moduli. */
+/* Workspace for the points of one cell, the first fault of their moduli, and the cells that are kept. */
 typedef struct {
-  Sentence  sentence;
-  PetscReal x[ELEMENT_MAX_POINTS * 3], w[ELEMENT_MAX_POINTS],
+  Sentence       sentence;
+  CongruentCells known;
+  PetscReal      x[ELEMENT_MAX_POINTS * 3], w[ELEMENT_MAX_POINTS],
       bulk[ELEMENT_MAX_POINTS];                        /* [num][dim]; [num]; [num], weighted */
   PetscReal  grad[ELEMENT_MAX_POINTS * MAX_CELL_DOFS]; /* [num][num_nodes][dim] */
   Dilatation pi;
@@ -288,10 +290,32 @@ static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adds the matrix of one cell. Where moduli are the same everywhere, and no radius counts, translated cells
+   have the same one. */
+static PetscErrorCode ElasticityAddCell_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
+                                                const Law *law, Work *work, SymmetricBlocks *sums)
+{
+  const PetscInt   material = level->cell_material[c];
+  const PetscBool  keep     = (PetscBool)(law->constant && scene->model != MODEL_AXISYMMETRIC);
+  const PetscReal *known    = NULL;
+  PetscReal        X[MAX_CELL_DOFS], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
+
+  PetscFunctionBeginUser;
+  if (keep) {
+    VolumeStrainCoordinates(level, c, X);
+    known = CongruentCellsFind(work->known, rule->type, material, X);
+  }
+  if (!known) {
+    PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, rule, law, work, Ke));
+    if (keep) CongruentCellsAdd(work->known, rule->type, material, X, Ke);
+  }
+  CellSumsAdd(level, c, known ? known : Ke, sums);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* K as the sum over all cells. */
 static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level, Mat *K)
 {
-  PetscReal       Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
   PetscInt        num_materials = scene->num_bodies + scene->num_regions;
   ElementRule    *rules;
   Work           *work;
@@ -302,17 +326,18 @@ static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level,
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(CellSumsCreate(level, &sums));
   PetscCall(PetscNew(&work));
+  PetscCall(CongruentCellsCreate(level->dim, &work->known));
   PetscCall(PetscMalloc1(num_materials, &laws));
   for (PetscInt m = 0; m < num_materials; m++) {
     if (m < scene->num_bodies && scene->bodies[m].missing) continue; // all of its cells are in regions
     PetscCall(ElasticitySetLaw_Private(scene, m, &laws[m]));
   }
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, &rules[level->cell_type[c]],
-                                                 &laws[level->cell_material[c]], work, Ke));
-    CellSumsAdd(level, c, Ke, &sums);
+    PetscCall(ElasticityAddCell_Private(scene, level, c, &rules[level->cell_type[c]], &laws[level->cell_material[c]],
+                                        work, &sums));
   }
   PetscCall(CellSumsFinish(level, &sums, K));
+  PetscCall(CongruentCellsDestroy(&work->known));
   PetscCall(PetscFree(rules));
   PetscCall(PetscFree(laws));
   for (PetscInt m = 0; m < num_materials; m++) {
