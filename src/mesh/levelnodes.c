@@ -132,6 +132,7 @@ static PetscErrorCode LevelNumberNodes_Private(Level *level, const PetscInt body
     if (!ghosts) level->num_owned = node;
   }
   PetscCall(ISRestoreIndices(order, &points));
+  PetscCall(DMSetGlobalSection(level->dm, NULL)); // DMGetGlobalSection() makes it again where it is needed
   PetscCallMPI(MPI_Scan(&level->num_owned, &level->node_begin, 1, MPIU_INT, MPI_SUM, level->comm));
   level->node_begin -= level->num_owned;
   PetscCallMPI(MPI_Allreduce(&level->num_owned, &level->num_global, 1, MPIU_INT, MPI_SUM, level->comm));

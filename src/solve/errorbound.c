@@ -27,7 +27,6 @@
 /* Largest number of sets; the last one is empty, without negative pressures. Largest number of corrections
    for a proximal term. */
 enum { BOUND_SETS = 4, MAX_CORRECTIONS = 50 };
-enum { NUM_VECS = 6 };
 /* A traction counts as at its limit within this part of it: the tolerance of ties of the solver. */
 static const PetscReal AT_LIMIT = 1e-11;
 /* Tolerance of the corrections relative to the residual: the bound needs few digits. */
@@ -39,10 +38,9 @@ typedef struct {
   ActiveSolver       solver;
   Mat                A; /* without proximal term */
   Vec                b;
-  Vec               *vecs;    /* owns the vectors below */
-  Vec                y, r;    /* y^; b - A y^ */
-  Vec                f, d;    /* right-hand side of d, 0 on A; d */
-  Vec                s, c;    /* its residual; its next correction, scratch */
+  Vec                r;       /* b - A y^ */
+  Vec                f, d;    /* right-hand side of d, 0 on A, in place of r where there are no factors; d */
+  Vec                s, c;    /* its residual, NULL where there are no factors; its next correction, scratch */
   const FrictionLaw *law;     /* of given limits, or NULL; borrowed */
   PetscInt          *tangent; /* where its tangents stand among the unknowns of the set, -1 for none [law->n][2] */
   PetscReal         *start;   /* values of fixed unknowns: upper, of tangents the origin [n] */
@@ -56,9 +54,16 @@ static PetscErrorCode ErrorBoundBoundCreate_Private(ActiveSolver solver, Mat A, 
 
   PetscFunctionBeginUser;
   *m = (Bound){.solver = solver, .A = A, .b = b, .law = law};
-  PetscCall(VecDuplicateVecs(b, NUM_VECS, &m->vecs));
-  m->y = m->vecs[0], m->r = m->vecs[1], m->f = m->vecs[2];
-  m->d = m->vecs[3], m->s = m->vecs[4], m->c = m->vecs[5];
+  PetscCall(VecDuplicate(b, &m->r));
+  PetscCall(VecDuplicate(b, &m->d));
+  PetscCall(VecDuplicate(b, &m->c));
+  if (solver->factored) { // a preconditioner needs less: here a large run takes most memory
+    PetscCall(VecDuplicate(b, &m->f));
+    PetscCall(VecDuplicate(b, &m->s));
+  } else {
+    PetscCall(PetscObjectReference((PetscObject)m->r));
+    m->f = m->r;
+  }
   PetscCall(PetscMalloc4(n, &m->fixed, n, &m->values, n, &m->forces, n, &m->start));
   PetscCall(PetscArraycpy(m->start, solver->set->upper, n));
   if (!law) PetscFunctionReturn(PETSC_SUCCESS);
@@ -74,7 +79,11 @@ static PetscErrorCode ErrorBoundBoundCreate_Private(ActiveSolver solver, Mat A, 
 static PetscErrorCode ErrorBoundBoundDestroy_Private(Bound *m)
 {
   PetscFunctionBeginUser;
-  PetscCall(VecDestroyVecs(NUM_VECS, &m->vecs));
+  PetscCall(VecDestroy(&m->r));
+  PetscCall(VecDestroy(&m->f));
+  PetscCall(VecDestroy(&m->d));
+  PetscCall(VecDestroy(&m->s));
+  PetscCall(VecDestroy(&m->c));
   PetscCall(PetscFree4(m->fixed, m->values, m->forces, m->start));
   PetscCall(PetscFree(m->tangent));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -112,15 +121,14 @@ static void ErrorBoundStick_Private(Bound *m, PetscBool slips[])
   }
 }
 
-/* Loads of slipping nodes, along their slip; r becomes the residual with them. [in] slips - of
-   ErrorBoundStick_Private() */
+/* Loads of slipping nodes, along their slip; r becomes the residual with them. [in] m->values - of y^;
+   slips - of ErrorBoundStick_Private() */
 static PetscErrorCode ErrorBoundLoad_Private(Bound *m, const PetscBool slips[])
 {
   const ActiveSet *set = m->solver->set;
 
   PetscFunctionBeginUser;
   if (!m->law) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ActiveSetGather(set, m->y, m->values));
   PetscCall(ActiveSetGather(set, m->r, m->forces));
   for (PetscInt a = 0; a < m->law->n; a++) {
     const PetscInt *t    = &m->tangent[FRICTION_TANGENTS * a];
@@ -133,7 +141,16 @@ static PetscErrorCode ErrorBoundLoad_Private(Bound *m, const PetscBool slips[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Computes y^, its set and its residual. [out] moved - |y^ - y|_A */
+/* y^: y with the values of the set. [out] at - y^ */
+static PetscErrorCode ErrorBoundMove_Private(const Bound *m, Vec y, Vec at)
+{
+  PetscFunctionBeginUser;
+  PetscCall(VecCopy(y, at));
+  PetscCall(ActiveSetScatter(m->solver->set, m->values, at));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Computes the set of y^ and its residual. [out] moved - |y^ - y|_A; m->values - of y^ */
 static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *moved)
 {
   const ActiveSet *set = m->solver->set;
@@ -150,13 +167,15 @@ static PetscErrorCode ErrorBoundFeasible_Private(Bound *m, Vec y, PetscReal *mov
     m->values[i] = m->fixed[i] ? set->upper[i] : PetscMin(m->values[i], set->upper[i]);
   }
   ErrorBoundStick_Private(m, slips);
-  PetscCall(VecCopy(y, m->y));
-  PetscCall(ActiveSetScatter(set, m->values, m->y));
-  PetscCall(VecWAXPY(m->d, -1, y, m->y));
+  PetscCall(ErrorBoundMove_Private(m, y, m->c));
+  PetscCall(VecWAXPY(m->d, -1, y, m->c));
   PetscCall(MatMult(m->A, m->d, m->c));
   PetscCall(VecDot(m->c, m->d, &square));
   *moved = PetscSqrtReal(PetscMax(PetscRealPart(square), 0));
-  if (*moved > 0) PetscCall(CompensatedResidual(m->A, m->b, m->y, m->r));
+  if (*moved > 0) {
+    PetscCall(ErrorBoundMove_Private(m, y, m->c));
+    PetscCall(CompensatedResidual(m->A, m->b, m->c, m->r));
+  }
   PetscCall(ErrorBoundLoad_Private(m, slips));
   PetscCall(PetscFree(slips));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -328,6 +347,7 @@ static PetscErrorCode ErrorBoundEstimate_Private(Bound *m, PetscBool ready, Pets
   if (!ready) PetscCall(ErrorBoundFactor_Private(m, &ready));
   if (!ready) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ErrorBoundUnbalanced_Private(m, PETSC_FALSE));
+  PetscCall(VecDestroy(&m->c)); // room for the preconditioner
   PetscCall((*m->solver->correct)(m->solver, m->f, m->d, &alpha));
   PetscCall(VecDot(m->f, m->d, &work));
   if (alpha > 0 && PetscRealPart(work) >= 0) *square = PetscRealPart(work) / alpha;
