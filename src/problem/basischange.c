@@ -255,6 +255,7 @@ static PetscErrorCode BasisChangeCreateSum_Private(VI vi, const NodeBases *bases
   if (with_E) PetscCall(BasisChangeCountE_Private(vi, couplings, nnz));
   for (PetscInt i = 0; i < n * dim; i++) {
     d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R ? 1 : 0), n);
+    if (with_R && !nnz[i / dim] && bases->of_node[i / dim] < 0) d_nnz[i] = 1; // of the identity
     o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
   }
   PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, sum));
