@@ -16,6 +16,10 @@ static const PetscReal FALLEN     = 0.25; /* of the first estimate: below, fewer
 static const PetscReal SETTLES    = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
 static const PetscReal GROWN = 0.1; /* part of a stress that it has grown by over BAR_MESHES: it is far from a limit */
 static const PetscReal STILL_GROWS = 0.8; /* least ratio of an increment to the one before that shows no limit */
+/* A pressure grows as at a corner if it is the size of facets there to a power of at most -CORNER_POWER: of
+   two equal bodies with a square edge it is -0.23, of a rigid punch -0.5. Facets are at most CORNER_FACET of
+   the extent of contact, and at most CORNER_REFINED of those of the mesh before. */
+static const PetscReal CORNER_POWER = 0.2, CORNER_FACET = 0.1, CORNER_REFINED = 0.6;
 
 /* The floor of a number: its least bar. */
 typedef enum {
@@ -114,6 +118,46 @@ static PetscBool BarsGrows_Private(PetscInt num, const PetscReal Q[])
   return PETSC_TRUE;
 }
 
+/* The size of a number, or of its vector; for a position, of the extent of contact.
+   [in] values - of the path [num] */
+static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
+                                     const PetscReal values[])
+{
+  const BarPath ends[]            = {{path->section, path->owner, "extent", "lower"},
+                                     {path->section, path->owner, "extent", "upper"}};
+  PetscReal     end[2][MAX_ITEMS] = {{0}}, sum = 0;
+  PetscBool     list;
+
+  for (int i = 0; i < 2 && kind == FLOOR_PLACE; i++) (void)BarsRead_Private(row, &ends[i], end[i], &list);
+  for (PetscInt i = 0; i < num; i++) sum += PetscSqr(kind == FLOOR_PLACE ? end[1][i] - end[0][i] : values[i]);
+  return PetscSqrtReal(sum);
+}
+
+/* Whether a largest pressure grows like a power of the size of its facets, as at a corner: three meshes tell
+   that. [in] path - of the pressure; [in] p - its pair */
+static PetscBool BarsPressureIsCorner_Private(const BarHistory *history, const BarPath *path, PetscInt p,
+                                              const PetscReal Q[])
+{
+  const BarMesh *mesh = &history->mesh[history->num - PEAK_MESHES];
+  const BarPath  ends = {path->section, path->owner, "extent", "lower"};
+  PetscReal      power[PEAK_MESHES], values[MAX_ITEMS], extent;
+  PetscInt       num;
+  PetscBool      list;
+
+  if (history->num < PEAK_MESHES) return PETSC_FALSE;
+  num    = BarsRead_Private(mesh[0].row, &ends, values, &list);
+  extent = BarsGetSize_Private(mesh[0].row, path, FLOOR_PLACE, num, values);
+  if (!(mesh[0].peak[p] > 0 && mesh[0].peak[p] <= CORNER_FACET * extent)) return PETSC_FALSE;
+  Q = &Q[history->num - PEAK_MESHES];
+  for (PetscInt j = 1; j < PEAK_MESHES; j++) {
+    if (!(mesh[j].peak[p] <= CORNER_REFINED * mesh[j - 1].peak[p] && Q[j - 1] > 0)) return PETSC_FALSE;
+    power[j] = PetscLogReal(Q[j] / Q[j - 1]) / PetscLogReal(mesh[j - 1].peak[p] / mesh[j].peak[p]);
+    if (!(power[j] >= CORNER_POWER)) return PETSC_FALSE;
+    if (j > 1 && !(power[j] > STILL_GROWS * power[j - 1])) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
 /* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as
    over the two before, and visibly. Cells around a probe are not bisected for each mesh, so single increments
    tell less. */
@@ -143,21 +187,6 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   case FLOOR_MEAN: return size * (floors->whole + (area > 0 ? floors->pair[owner].area / area : 0));
   default: return floors->whole * size;
   }
-}
-
-/* The size of a number, or of its vector; for a position, of the extent of contact.
-   [in] values - of the path [num] */
-static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
-                                     const PetscReal values[])
-{
-  const BarPath ends[]            = {{path->section, path->owner, "extent", "lower"},
-                                     {path->section, path->owner, "extent", "upper"}};
-  PetscReal     end[2][MAX_ITEMS] = {{0}}, sum = 0;
-  PetscBool     list;
-
-  for (int i = 0; i < 2 && kind == FLOOR_PLACE; i++) (void)BarsRead_Private(row, &ends[i], end[i], &list);
-  for (PetscInt i = 0; i < num; i++) sum += PetscSqr(kind == FLOOR_PLACE ? end[1][i] - end[0][i] : values[i]);
-  return PetscSqrtReal(sum);
 }
 
 /* Adds the bars of one key.
@@ -190,7 +219,8 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
     bars[i] = BarsOfSequence_Private(history, Q);
     if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
     if (kind == FLOOR_STRESS && BarsStressGrows_Private(history->num, Q)) bars[i] = (PetscReal)NAN;
-    if (grows) *grows = BarsGrows_Private(history->num, Q);
+    if (grows)
+      *grows = (PetscBool)(BarsGrows_Private(history->num, Q) || BarsPressureIsCorner_Private(history, path, owner, Q));
     if (grows && *grows) bars[i] = (PetscReal)NAN;
   }
   PetscCall(PetscFree(Q));

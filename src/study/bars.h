@@ -7,8 +7,9 @@
 
 /* One mesh. */
 typedef struct {
-  const cJSON *row; /* of SummaryCreateStep() */
-  PetscReal    eta; /* its error estimate, not calibrated */
+  const cJSON     *row;  /* of SummaryCreateStep() */
+  PetscReal        eta;  /* its error estimate, not calibrated */
+  const PetscReal *peak; /* of BarFloorsGetPeakSizes() [num_pairs] */
 } BarMesh;
 
 /* All meshes so far, coarse first, and estimates of the finest one. */

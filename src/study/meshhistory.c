@@ -79,6 +79,8 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
   PetscCall(MeshHistoryCalibrate_Private(history, level, estimate));
   mesh->error = EstimateGetError(estimate, mesh->theta);
   PetscCall(SummaryCreateStep(&input, &mesh->row));
+  PetscCall(PetscMalloc1(run->scene->num_pairs, &mesh->peak));
+  PetscCall(BarFloorsGetPeakSizes(run->fields, mesh->peak));
   mesh->seconds = seconds + LogWallClock() - begin;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -88,6 +90,7 @@ PetscErrorCode MeshHistoryDestroy(MeshHistory *history)
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < history->num; k++) {
     cJSON_Delete(history->mesh[k].row);
+    PetscCall(PetscFree(history->mesh[k].peak));
     PetscCall(PetscFree(history->mesh[k].goals));
   }
   PetscCall(PetscFree(history->mesh));
@@ -168,7 +171,7 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(history->num, &meshes));
   for (PetscInt k = 0; k < history->num; k++)
-    meshes[k] = (BarMesh){.row = history->mesh[k].row, .eta = history->mesh[k].eta};
+    meshes[k] = (BarMesh){.row = history->mesh[k].row, .eta = history->mesh[k].eta, .peak = history->mesh[k].peak};
   sequence.mesh = meshes;
   PetscCall(BarFloorsCreate(run->fields, &floors));
   RunForgetBlocks(run);

@@ -13,6 +13,7 @@ typedef struct {
   PetscReal seconds;                     /* from the mesh to its bars */
   PetscBool missed;                      /* whether contact was missed and nothing moves */
   cJSON    *row;                         /* of SummaryCreateStep() */
+  PetscReal *peak;                       /* of BarFloorsGetPeakSizes() [num_pairs] */
   GoalState *goals;                      /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 

@@ -45,6 +45,7 @@ mortise_scene_test(edge_1 SCENE edge2d CHECK true_error.py RANKS 1 ARGS -upper_d
 # Data between the nodes; stiffness ratios of 1e-6 and 1e6.
 mortise_scene_test(waves CHECK waves.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(punch CHECK punch.py RANKS 1 ARGS -adapt 0.1)
+mortise_scene_test(corner SCENE punch CHECK corner.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 2e-2)
 mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)
 # Levels of a study give the same bars.
 mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
