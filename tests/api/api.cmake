@@ -22,7 +22,10 @@ set_tests_properties(api.mistakes.np1 api.mistakes.np3 PROPERTIES FAIL_REGULAR_E
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME api.install COMMAND ${CMAKE_COMMAND} --install ${CMAKE_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(api.install PROPERTIES LABELS api FIXTURES_SETUP prefix)
-set(checks symbols files pkgconfig_c pkgconfig_cxx cmake_c cmake_cxx)
+set(checks symbols files pkgconfig_c cmake_cxx)
+if(MORTISE_TEST_LONG)
+  list(APPEND checks pkgconfig_cxx cmake_c)
+endif()
 if(EXISTS ${PROJECT_SOURCE_DIR}/options/GUIDE.md)
   file(STRINGS ${PROJECT_SOURCE_DIR}/options/GUIDE.md page REGEX "^// loads.c: ") # the program of its chapter on C
   if(page)

@@ -1,4 +1,4 @@
-# Every file of cases/ is a test, hard.<case>: README.md here tells what its head says.
+# Every file of cases/ is a test, hard.<case>: README.md here tells what its head says. Of those on several ranks, a third is outside the long run.
 file(GLOB cases CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cases/*.opts)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${cases}) # for their heads
 foreach(path IN LISTS cases)
@@ -10,6 +10,13 @@ foreach(path IN LISTS cases)
   string(REPLACE " " ";" case_ranks "${case_ranks}")
   if(NOT case_ranks)
     set(case_ranks 1)
+  endif()
+  list(LENGTH case_ranks num_ranks)
+  if(num_ranks GREATER 1 AND NOT MORTISE_TEST_LONG)
+    mortise_every_third(chosen MORTISE_TWINS ${case})
+    if(NOT chosen)
+      list(GET case_ranks 0 case_ranks)
+    endif()
   endif()
   set(case_options -options_file ${path})
   if(case_scene)

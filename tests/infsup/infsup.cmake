@@ -3,7 +3,7 @@ mortise_scene_test(plane OWN_RUNS SCENE two_plates CHECK plane.py ARGS -infsup)
 mortise_scene_test(solid OWN_RUNS SCENE patch3d CHECK solid.py ARGS -infsup -upper_dm_plex_box_faces 2,2,2 -lower_dm_plex_box_faces 3,3,2)
 mortise_scene_test(axisymmetric SCENE shells CHECK flat.py
   ARGS -infsup -outer_dm_plex_box_faces 3,6 -inner_dm_plex_box_faces 2,4)
-mortise_scene_test(axisymmetric_swapped SCENE shells CHECK flat.py
+mortise_scene_test(axisymmetric_swapped LONG SCENE shells CHECK flat.py
   ARGS -infsup -outer_dm_plex_box_faces 3,4 -inner_dm_plex_box_faces 2,6)
 mortise_scene_test(tied CHECK flat.py RANKS 1 LONG_RANKS 3 ARGS -infsup)
 mortise_scene_test(curved LONG SCENE half_discs CHECK curved.py ARGS -infsup)

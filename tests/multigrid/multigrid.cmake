@@ -40,7 +40,7 @@ mg(shells                 ARGS -dm_refine 1)
 mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
 mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
 mg(two_plates_tight       LONG SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.4999 -order 2 -dm_refine 1)
-mg(blocks_tight           SCENE blocks ARGS ${solid_coarse} -upper_poisson 0.49)
+mg(blocks_tight           LONG SCENE blocks ARGS ${solid_coarse} -upper_poisson 0.49)
 
 # --- meshes with one level, and levels made of some of its nodes below it ---
 function(nodes name)
@@ -63,7 +63,7 @@ mortise_scene_test(stop_apart SCENE two_plates CHECK stop_apart.py LABELS mpi AR
 # --- the second opinion ---
 mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py ARGS ${plane_coarse} -pc_type truncatedmg -cross_check -dm_refine 2)
 mortise_scene_test(opinion_solid SCENE blocks CHECK opinion.py LABELS mpi ARGS ${solid_coarse} -pc_type truncatedmg -cross_check)
-mortise_scene_test(opinion_long  SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
+mortise_scene_test(opinion_long  LONG SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_free  LONG SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(pad CHECK pad.py LABELS mpi ARGS -pc_type truncatedmg -cross_check -cross_check_pc_type cholesky)
 

@@ -38,6 +38,6 @@ def iterations_on_ranks(run, snes):
 
 
 def judge(run):
-    for snes, ranks in RANKS.items():
+    for snes, ranks in RANKS.items() if LONG else [("pdas", RANKS["pdas"])]:  # else opinion.py and nodes.py have vinewtonrsls
         iterations = iterations_on_ranks(run, snes)
         require(max(iterations) - min(iterations) <= SPREAD + MORE * min(iterations), f"{snes} takes {iterations} iterations on {ranks} ranks")

@@ -12,7 +12,7 @@ endforeach()
 # Scenes put together at random, whose numbers begin at the last word of the title.
 foreach(first 0 12 24 36)
   set(long)
-  if(first GREATER 12)
+  if(first GREATER 0)
     set(long LONG)
   endif()
   mortise_scene_test(scatter_${first} ${long} OWN_RUNS SCENE plates_quads/scene CHECK scatter.py RANKS 1 LABELS regression ARGS -title "Random scenes from ${first}")

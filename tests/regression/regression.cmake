@@ -22,7 +22,7 @@ mortise_scene_test(measured SCENE two_plates CHECK measured.py
 mortise_scene_test(iterative_vertices LONG SCENE two_plates CHECK iterative.py
   ARGS -order 2 -joint_multipliers vertices -upper_dm_plex_box_faces 24,24 -lower_dm_plex_box_faces 18,18)
 mortise_scene_test(corner CHECK corner.py RANKS 1 3)
-mortise_scene_test(listed_full OWN_RUNS SCENE manufactured_full CHECK listed.py)
+mortise_scene_test(listed_full LONG OWN_RUNS SCENE manufactured_full CHECK listed.py)
 mortise_scene_test(listed_partial OWN_RUNS SCENE manufactured_partial CHECK listed.py)
 mortise_scene_test(kink OWN_RUNS SCENE manufactured_partial CHECK kink.py ARGS -order 2)
 mortise_scene_test(two_plates_graded CHECK two_plates_graded.py)
@@ -49,7 +49,7 @@ mortise_scene_test(tube SCENE shaft CHECK shaft.py ARGS -joint_nonmortar ring:ri
 # Size and shape of the contact zone (options/CONTACT_ZONE.md).
 mortise_scene_test(contact_zone OWN_RUNS CHECK contact_zone.py)
 mortise_scene_test(contact_zone_steps CHECK contact_zone_steps.py)
-mortise_scene_test(contact_shapes OWN_RUNS CHECK contact_shapes.py)
+mortise_scene_test(contact_shapes LONG OWN_RUNS CHECK contact_shapes.py)
 mortise_scene_test(contact_ring CHECK contact_ring.py)
 # Rigid shapes in space.
 mortise_scene_test(indentation CHECK indentation.py)
@@ -62,8 +62,8 @@ mortise_scene_test(curved SCENE rings CHECK curved.py RANKS 1 LONG_RANKS 2 ARGS 
 foreach(kind full partial)
   foreach(order 1 2)
     foreach(cells triangles quads)
-      set(long LONG) # listed_full, listed_partial and kink ask for the same orders on coarser triangles
-      if("${kind}_${cells}_${order}" MATCHES "^(full_triangles_2|full_quads_2|partial_quads_1)$")
+      set(long LONG) # listed_partial and kink ask for the same orders on coarser triangles
+      if("${kind}_${cells}_${order}" MATCHES "^(full_quads_2|partial_quads_1)$")
         set(long)
       endif()
       set(simplex)
@@ -74,7 +74,7 @@ foreach(kind full partial)
     endforeach()
   endforeach()
 endforeach()
-mortise_scene_test(edge2d_2 SCENE edge2d CHECK edge2d.py ARGS -order 2)
+mortise_scene_test(edge2d_2 LONG SCENE edge2d CHECK edge2d.py ARGS -order 2)
 mortise_scene_test(rings_quads OWN_RUNS SCENE rings CHECK rings_orders.py ARGS -order 2)
 mortise_scene_test(rings_triangles OWN_RUNS SCENE rings CHECK rings_orders.py ARGS -order 2 -outer_dm_plex_simplex 1 -inner_dm_plex_simplex 1)
 # Few cells, four meshes, both orders.
@@ -94,4 +94,4 @@ mortise_scene_test(validity CHECK validity.py)
 
 # Meshes that -convert makes of those files.
 mortise_scene_test(converted OWN_RUNS SCENE lined_hub CHECK converted.py RANKS 1 LONG_RANKS 3)
-mortise_scene_test(converted_curved OWN_RUNS SCENE wheel_on_rail CHECK converted.py RANKS 1 LONG_RANKS 3 UNSANITIZED "the scene is large")
+mortise_scene_test(converted_curved LONG OWN_RUNS SCENE wheel_on_rail CHECK converted.py RANKS 1 LONG_RANKS 3 UNSANITIZED "the scene is large")

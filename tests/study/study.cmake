@@ -1,4 +1,4 @@
-mortise_scene_test(manufactured SCENE manufactured_full CHECK manufactured.py RANKS 1 2 LABELS sanitize
+mortise_scene_test(manufactured SCENE manufactured_full CHECK manufactured.py RANKS 1 LONG_RANKS 2 LABELS sanitize
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 6,6 -study uniform -study_levels 3 -study_orders 1,2)
 mortise_scene_test(two_plates CHECK two_plates.py
   ARGS -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3 -study uniform -study_levels 4 -study_orders 1,2)
@@ -21,4 +21,4 @@ mortise_scene_test(not_solved SCENE two_plates CHECK not_solved.py
 mortise_scene_test(refused SCENE overhang CHECK refused.py RANKS 1 LONG_RANKS 2
   ARGS -block_dm_plex_box_faces 4,4 -table_dm_plex_box_faces 4,4 -study uniform -study_levels 1)
 mortise_scene_test(cube CHECK cube.py RANKS 1 LONG_RANKS 2 ARGS -study uniform -study_levels 3 -study_orders 1,2)
-mortise_scene_test(cube_tetrahedra SCENE cube CHECK cube.py ARGS -study uniform -study_levels 3 -study_orders 1,2 -cube_dm_plex_simplex 1)
+mortise_scene_test(cube_tetrahedra LONG SCENE cube CHECK cube.py ARGS -study uniform -study_levels 3 -study_orders 1,2 -cube_dm_plex_simplex 1)
