@@ -290,13 +290,40 @@ static PetscErrorCode ElasticityGetCellStiffness_Private(Scene scene, Level *lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the matrix of one cell. Where moduli are the same everywhere, and no radius counts, translated cells
-   have the same one. */
+/* Whether translated cells have the same matrix: moduli are the same everywhere, and no radius counts. They
+   differ by the rounding of positions. In nearly incompressible cells it counts bulk over shear modulus
+   times. */
+static PetscBool ElasticityIsInvariant_Private(Scene scene, const Law *law, ElementType type)
+{
+  return (PetscBool)(law->constant && scene->model != MODEL_AXISYMMETRIC && !DilatationChoose(type, law->poisson));
+}
+
+/* Takes the forces of translations, which are rounding, off the diagonal blocks. Of different cells they
+   cancel; of a thousand equal ones they would add up to a support. */
+static void ElasticityBalance_Private(PetscInt nn, PetscInt dim, PetscReal Ke[])
+{
+  const PetscInt n = nn * dim;
+
+  for (PetscInt i = 0; i < nn; i++) {
+    PetscReal force[3][3] = {{0}};
+
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt l = 0; l < dim; l++) {
+        for (PetscInt j = 0; j < nn; j++) force[k][l] += Ke[(i * dim + k) * n + j * dim + l];
+      }
+    }
+    for (PetscInt k = 0; k < dim; k++) {
+      for (PetscInt l = 0; l < dim; l++) Ke[(i * dim + k) * n + i * dim + l] -= (force[k][l] + force[l][k]) / 2;
+    }
+  }
+}
+
+/* Adds the matrix of one cell, or of the first of its translations. */
 static PetscErrorCode ElasticityAddCell_Private(Scene scene, Level *level, PetscInt c, const ElementRule *rule,
                                                 const Law *law, Work *work, SymmetricBlocks *sums)
 {
   const PetscInt   material = level->cell_material[c];
-  const PetscBool  keep     = (PetscBool)(law->constant && scene->model != MODEL_AXISYMMETRIC);
+  const PetscBool  keep     = ElasticityIsInvariant_Private(scene, law, rule->type);
   const PetscReal *known    = NULL;
   PetscReal        X[MAX_CELL_DOFS], Ke[MAX_CELL_DOFS * MAX_CELL_DOFS];
 
@@ -305,9 +332,10 @@ static PetscErrorCode ElasticityAddCell_Private(Scene scene, Level *level, Petsc
     VolumeStrainCoordinates(level, c, X);
     known = CongruentCellsFind(work->known, rule->type, material, X);
   }
-  if (!known) {
-    PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, rule, law, work, Ke));
-    if (keep) CongruentCellsAdd(work->known, rule->type, material, X, Ke);
+  if (!known) PetscCall(ElasticityGetCellStiffness_Private(scene, level, c, rule, law, work, Ke));
+  if (!known && keep) {
+    ElasticityBalance_Private(ElementNumNodes(rule->type), level->dim, Ke);
+    CongruentCellsAdd(work->known, rule->type, material, X, Ke);
   }
   CellSumsAdd(level, c, known ? known : Ke, sums);
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -38,7 +38,7 @@ mortise_scene_test(study SCENE two_plates CHECK study.py RANKS 1 ARGS ${plates} 
 mortise_scene_test(long_study SCENE two_plates CHECK long.py RANKS 1 ARGS ${plates} -order 2 -study adaptive -study_levels 14)
 mortise_mistake(two_orders SCENE two_plates RANKS 1 ARGS -study adaptive -study_orders 1,2 SAYS "-study adaptive: each order has meshes of its own")
 # The error itself is known: curves, and supports that move along a curve between the nodes.
-mortise_scene_test(annulus CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 11)
+mortise_scene_test(annulus LONG CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 11)
 mortise_scene_test(annulus_1 SCENE annulus CHECK true_error.py RANKS 1 ARGS -order 1 -study adaptive -study_levels 10)
 mortise_scene_test(edge_2 SCENE edge2d CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 2 -study adaptive -study_levels 12)
 mortise_scene_test(edge_1 SCENE edge2d CHECK true_error.py RANKS 1 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 1 -study adaptive -study_levels 9)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""adapted.py <mortise> <folder> <file.opts,file.opts> ... -- hard cases on adaptive meshes: each ends in seconds, with its own verdict. A third of
+"""adapted.py <mortise> <folder> <file.opts,file.opts> ... -- hard cases on adaptive meshes: each ends in seconds, with its own verdict. A sixth of
 them, all in the long run.
 
 An argument is the list of options files of a case, the last one its own. A tolerance that takes more than the few unknowns that are allowed here
@@ -60,7 +60,7 @@ def judge(program, folder, files):
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    failed, cases = [], sys.argv[3:] if LONG else sys.argv[3::3]
+    failed, cases = [], sys.argv[3:] if LONG else sys.argv[3::6]
     for argument in cases:
         files = [pathlib.Path(file) for file in argument.split(",")]
         try:

@@ -20,7 +20,7 @@ mg(two_plates_triangles   LONG SCENE two_plates ARGS ${plane_coarse} -upper_dm_p
 mg(two_plates_quadratic   SCENE two_plates ARGS ${plane_coarse} -order 2 -dm_refine 1)
 mg(two_plates_vertices    LONG SCENE two_plates ARGS ${plane_coarse} -order 2 -upper_dm_plex_simplex 1 -joint_multipliers vertices -dm_refine 1)
 mg(blocks                 ARGS ${solid_coarse})
-mg(blocks_tetrahedra      SCENE blocks ARGS ${solid_coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
+mg(blocks_tetrahedra      LONG SCENE blocks ARGS ${solid_coarse} -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
 mg(blocks_quadratic       LONG SCENE blocks ARGS ${solid_coarse} -order 2)
 # one cell a body: of three ranks one has nothing, and planes of nodes to share
 mg(blocks_long            SCENE blocks ARGS -upper_dm_plex_box_faces 1,1,1 -lower_dm_plex_box_faces 1,1,1 -dm_refine 2
@@ -32,12 +32,12 @@ mg(tied                   ARGS -dm_refine 2)
 mg(rings                  LONG ARGS -dm_refine 1)
 mg(patch_interference     ARGS -dm_refine 1)
 mg(parabola               ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1)
-mg(touching               ARGS -dm_refine 1)
-mg(stack                  ARGS -dm_refine 1)
+mg(touching               LONG ARGS -dm_refine 1)
+mg(stack                  LONG ARGS -dm_refine 1)
 mortise_scene_test(overhang CHECK floating.py LABELS mpi ARGS -pc_type cholesky -dm_refine 1)
 mg(two_plates_uneven      LONG SCENE two_plates ARGS ${plane_coarse} -upper_young 8e10 -dm_refine 2)
 mg(shells                 ARGS -dm_refine 1)
-mg(two_plates_apart       SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
+mg(two_plates_apart       LONG SCENE two_plates ARGS ${plane_coarse} -joint_gap 1 -dm_refine 2)
 mg(two_plates_nearly      SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.49 -dm_refine 1)
 mg(two_plates_tight       LONG SCENE two_plates ARGS ${plane_coarse} -upper_poisson 0.4999 -order 2 -dm_refine 1)
 mg(blocks_tight           LONG SCENE blocks ARGS ${solid_coarse} -upper_poisson 0.49)
@@ -62,7 +62,7 @@ mortise_scene_test(stop_apart SCENE two_plates CHECK stop_apart.py LABELS mpi AR
 
 # --- the second opinion ---
 mortise_scene_test(opinion       SCENE two_plates CHECK opinion.py ARGS ${plane_coarse} -pc_type truncatedmg -cross_check -dm_refine 2)
-mortise_scene_test(opinion_solid SCENE blocks CHECK opinion.py LABELS mpi ARGS ${solid_coarse} -pc_type truncatedmg -cross_check)
+mortise_scene_test(opinion_solid LONG SCENE blocks CHECK opinion.py LABELS mpi ARGS ${solid_coarse} -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_long  LONG SCENE parabola CHECK opinion.py LABELS mpi ARGS -block_dm_plex_box_faces 16,8 -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(opinion_free  LONG SCENE stack CHECK opinion.py LABELS mpi ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(pad CHECK pad.py LABELS mpi ARGS -pc_type truncatedmg -cross_check -cross_check_pc_type cholesky)

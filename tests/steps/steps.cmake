@@ -1,5 +1,5 @@
 # Load steps: each is the solution that a run at its time alone has (singly.py), in all dimensions and with all solvers.
-mortise_scene_test(plane SCENE two_plates CHECK singly.py RANKS 1 3 LABELS sanitize
+mortise_scene_test(plane SCENE two_plates CHECK singly.py RANKS 1 LONG_RANKS 3 LABELS sanitize
   ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6 -load_steps 0.2,0.5,0.4,1)
 mortise_scene_test(axisymmetric SCENE hertz_axisymmetric CHECK singly.py RANKS 1 ARGS -load_steps 0.3,0.7,1)
 mortise_scene_test(interference SCENE patch_interference CHECK singly.py RANKS 1 LONG_RANKS 3 ARGS -joint_gap "0-1e-3*t" -load_steps 0.5,1)

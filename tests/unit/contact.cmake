@@ -1,5 +1,5 @@
 mortise_unit(obstacle LAYER contact)
 mortise_unit(pair LAYER contact RANKS 1 3 5 SANITIZED 3)
 mortise_unit(search LAYER contact RANKS 1 3 5)
-mortise_unit(solidpair LAYER contact RANKS 1 3 5 SANITIZED 3)
+mortise_unit(solidpair LAYER contact RANKS 1 3 5 SANITIZED 1)
 mortise_unit(spheres LAYER contact RANKS 1 3 SANITIZED 1)
