@@ -67,7 +67,7 @@ def tolerance_of(options):
 
 def judge(run, options_of=options_of, tolerance_of=tolerance_of, every=1):  # pylint: disable=redefined-outer-name
     """[in] options_of - number -> {option: text}; tolerance_of - of such a scene, relative; every - so many of them, one is taken outside
-    ranks, but for the long run"""
+    the long run"""
     first = int(run.arguments[run.arguments.index("-title") + 1].split()[-1])  # "Random scenes from 24"
     for number in range(first, first + COUNT, 1 if LONG else every):
         options = options_of(number)
