@@ -12,22 +12,34 @@
        S_ff^-1 = G_ff - G_fh G_hh^-1 G_hf,   G_hh = X D^-1 X',
 
    with X the rows h of T^-1. G_hh is small and sparse, and is factored. Displacements that are fixed along
-   axes are excluded: D^-1 is 0 there. */
+   axes are excluded: D^-1 is 0 there.
+
+   With blocks of couplings S_u in place of D, an active set changes G_hh alone, as long as few rows of X meet
+   in one block. In T'S_u T contact couples the blocks of both bodies. */
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
+#include "multigrid/envelopecompliance.h"
+#include "multigrid/envelopefactor.h"
 #include "multigrid/redundantsolve.h"
 
+/* Largest work for G_hh with blocks, in products for each unknown: about that of the factors of T'S_u T, some
+   3.2e4 in hertz3d. */
+static const PetscReal MAX_COMPLIANCE_WORK = 4e4;
+
 typedef struct {
-  Mat        inverse;    /* T^-1 */
-  Mat        E;          /* T^-1 - 1, without empty rows */
-  Vec        w;          /* D^-1, 0 where `alone` */
-  Vec        s, t;       /* displacements, forces */
-  PetscBool *eliminated; /* fixed displacements [unknowns of this rank] */
-  PetscInt   num;
-  PetscInt  *fixed;  /* [num] */
-  Mat        X;      /* NULL if all fixed unknowns are displacements */
-  PC         factor; /* of G_hh */
-  Vec        gap, force;
+  Mat            inverse;    /* T^-1 */
+  Mat            E;          /* T^-1 - 1, without empty rows */
+  Vec            w;          /* D^-1, 0 where `eliminated`; without blocks */
+  Mat            blocks;     /* S_u, or NULL */
+  EnvelopeParts *parts;      /* its factors, borrowed */
+  Vec            s, t;       /* displacements, forces */
+  PetscBool     *eliminated; /* fixed displacements [unknowns of this rank] */
+  PetscInt       num;
+  PetscInt      *fixed;  /* [num] */
+  Mat            X;      /* NULL if all fixed unknowns are displacements */
+  PC             factor; /* of G_hh */
+  Vec            gap, force;
+  PetscInt       num_touched, *touched; /* blocks where X has entries [num_touched] */
 } BodySmoother;
 
 static PetscErrorCode BodySmootherRelease_Private(BodySmoother *body)
@@ -38,6 +50,7 @@ static PetscErrorCode BodySmootherRelease_Private(BodySmoother *body)
   PetscCall(PCDestroy(&body->factor));
   PetscCall(VecDestroy(&body->gap));
   PetscCall(VecDestroy(&body->force));
+  PetscCall(PetscFree(body->touched));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -50,11 +63,34 @@ static PetscErrorCode Destroy_BodySmoother(Mat S)
   PetscCall(BodySmootherRelease_Private(body));
   PetscCall(MatDestroy(&body->inverse));
   PetscCall(MatDestroy(&body->E));
+  PetscCall(MatDestroy(&body->blocks));
   PetscCall(VecDestroy(&body->w));
   PetscCall(VecDestroy(&body->s));
   PetscCall(VecDestroy(&body->t));
   PetscCall(PetscFree(body->eliminated));
   PetscCall(PetscFree(body));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* s = D^-1 t. [in] again - whether t has changed by forces along X alone */
+static PetscErrorCode BodySmootherSolve_Private(BodySmoother *body, PetscBool again)
+{
+  const PetscScalar *t;
+  PetscScalar       *s;
+
+  PetscFunctionBeginUser;
+  if (!body->parts) {
+    PetscCall(VecPointwiseMult(body->s, body->w, body->t));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(VecGetArrayRead(body->t, &t));
+  PetscCall(VecGetArray(body->s, &s));
+  if (again)
+    EnvelopePartsSolveSome(body->parts, body->num_touched, body->touched, t, s);
+  else
+    EnvelopePartsSolve(body->parts, t, s);
+  PetscCall(VecRestoreArray(body->s, &s));
+  PetscCall(VecRestoreArrayRead(body->t, &t));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -67,13 +103,13 @@ static PetscErrorCode Mult_BodySmoother(Mat S, Vec r, Vec z)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &body));
   PetscCall(MatMultTransposeAdd(body->E, r, r, body->t));
-  PetscCall(VecPointwiseMult(body->s, body->w, body->t));
+  PetscCall(BodySmootherSolve_Private(body, PETSC_FALSE));
   if (body->X) {
     PetscCall(MatMult(body->X, body->s, body->gap));
     PetscCall(PCApply(body->factor, body->gap, body->force));
     PetscCall(VecScale(body->force, -1));
     PetscCall(MatMultTransposeAdd(body->X, body->force, body->t, body->t));
-    PetscCall(VecPointwiseMult(body->s, body->w, body->t));
+    PetscCall(BodySmootherSolve_Private(body, PETSC_TRUE));
   }
   PetscCall(MatMultAdd(body->E, body->s, body->s, z));
   PetscCall(VecGetArray(z, &a));
@@ -82,19 +118,16 @@ static PetscErrorCode Mult_BodySmoother(Mat S, Vec r, Vec z)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* D^-1, 0 where `alone`. */
+/* D^-1, 0 where `eliminated`. */
 static PetscErrorCode BodySmootherSetWeights_Private(const Operator *op, BodySmoother *body)
 {
   PetscScalar *w;
-  PetscInt     n;
 
   PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(op->K, &body->w, NULL));
   PetscCall(VecCopy(op->diagonal, body->w));
   PetscCall(VecReciprocal(body->w));
   PetscCall(VecScale(body->w, op->stiffness));
-  PetscCall(VecGetLocalSize(body->w, &n));
-  PetscCall(PetscCalloc1(n, &body->eliminated));
-  PetscCall(OperatorMarkFixedDisplacements(op, body->eliminated));
   PetscCall(VecGetArray(body->w, &w));
   for (PetscInt i = 0; i < op->num_fixed; i++)
     if (body->eliminated[op->fixed[i]]) w[op->fixed[i]] = 0;
@@ -139,24 +172,81 @@ static PetscErrorCode BodySmootherCreateE_Private(Mat inverse, Mat *E)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse)
+/* All but D. */
+static PetscErrorCode BodySmootherBegin_Private(const Operator *op, BodySmoother **body, Mat *inverse)
 {
   PetscInt      n;
+  BodySmoother *b;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscNew(body));
+  b = *body;
+  PetscCall(PetscObjectReference((PetscObject)op->inverse));
+  b->inverse = op->inverse;
+  PetscCall(BodySmootherCreateE_Private(b->inverse, &b->E));
+  PetscCall(MatCreateVecs(op->K, &b->t, &b->s));
+  PetscCall(VecGetLocalSize(b->s, &n));
+  PetscCall(PetscCalloc1(n, &b->eliminated));
+  PetscCall(OperatorMarkFixedDisplacements(op, b->eliminated));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)op->K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, b, inverse));
+  PetscCall(MatShellSetOperation(*inverse, MATOP_MULT, (void (*)(void))Mult_BodySmoother));
+  PetscCall(MatShellSetOperation(*inverse, MATOP_DESTROY, (void (*)(void))Destroy_BodySmoother));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse)
+{
+  BodySmoother *body;
+  PetscBool     done;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodySmootherBegin_Private(op, &body, inverse));
+  PetscCall(BodySmootherSetWeights_Private(op, body));
+  PetscCall(BodySmootherSetFixed(*inverse, op->num_fixed, op->fixed, &done));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Factors of the blocks without the displacements that are eliminated. */
+static PetscErrorCode BodySmootherSetBlocks_Private(const Operator *op, Mat blocks, BodySmoother *body)
+{
+  PetscInt begin, num = 0, *rows;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectReference((PetscObject)blocks));
+  body->blocks = blocks;
+  PetscCall(MatGetOwnershipRange(blocks, &begin, NULL));
+  PetscCall(PetscMalloc1(op->num_fixed, &rows));
+  for (PetscInt i = 0; i < op->num_fixed; i++)
+    if (body->eliminated[op->fixed[i]]) rows[num++] = begin + op->fixed[i];
+  PetscCall(MatZeroRowsColumns(blocks, num, rows, 1, NULL, NULL));
+  PetscCall(PetscFree(rows));
+  PetscCall(EnvelopeFactorGet(blocks, &body->parts));
+  for (PetscInt i = 0; body->parts && i < body->parts->num_alone; i++)
+    if (body->eliminated[body->parts->alone[i]]) body->parts->inverse[i] = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BodySmootherCreateOfBlocks(const Operator *op, Mat blocks, Mat *inverse)
+{
+  BodySmoother *body;
+  PetscBool     done;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodySmootherBegin_Private(op, &body, inverse));
+  PetscCall(BodySmootherSetBlocks_Private(op, blocks, body));
+  done = (PetscBool)(body->parts != NULL);
+  if (done) PetscCall(BodySmootherSetFixed(*inverse, op->num_fixed, op->fixed, &done));
+  if (!done) PetscCall(MatDestroy(inverse));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BodySmootherGetBlocks(Mat inverse, Mat *blocks)
+{
   BodySmoother *body;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscNew(&body));
-  PetscCall(PetscObjectReference((PetscObject)op->inverse));
-  body->inverse = op->inverse;
-  PetscCall(BodySmootherCreateE_Private(body->inverse, &body->E));
-  PetscCall(MatCreateVecs(op->K, &body->w, &body->s));
-  PetscCall(VecDuplicate(body->w, &body->t));
-  PetscCall(BodySmootherSetWeights_Private(op, body));
-  PetscCall(VecGetLocalSize(body->w, &n));
-  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)op->K), n, n, PETSC_DETERMINE, PETSC_DETERMINE, body, inverse));
-  PetscCall(MatShellSetOperation(*inverse, MATOP_MULT, (void (*)(void))Mult_BodySmoother));
-  PetscCall(MatShellSetOperation(*inverse, MATOP_DESTROY, (void (*)(void))Destroy_BodySmoother));
-  PetscCall(BodySmootherSetFixed(*inverse, op->num_fixed, op->fixed));
+  PetscCall(MatShellGetContext(inverse, &body));
+  *blocks = body->blocks;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -190,12 +280,20 @@ static PetscErrorCode BodySmootherCreateG_Private(Mat X, Vec w, Mat *G)
 }
 
 /* G_hh and its factorization. */
-static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body)
+static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body, PetscBool *done)
 {
-  Mat G;
+  PetscInt n;
+  Mat      G;
 
   PetscFunctionBeginUser;
-  PetscCall(BodySmootherCreateG_Private(body->X, body->w, &G));
+  PetscCall(VecGetSize(body->s, &n));
+  if (body->parts)
+    PetscCall(EnvelopeComplianceCreate(body->parts, body->X, MAX_COMPLIANCE_WORK * n, &body->num_touched,
+                                       &body->touched, &G));
+  else
+    PetscCall(BodySmootherCreateG_Private(body->X, body->w, &G));
+  *done = (PetscBool)(G != NULL);
+  if (!G) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCreateVecs(G, &body->force, &body->gap));
   PetscCall(PCCreate(PetscObjectComm((PetscObject)G), &body->factor));
   PetscCall(PCSetOptionsPrefix(body->factor, "apart_"));
@@ -206,7 +304,7 @@ static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fixed[])
+PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fixed[], PetscBool *done)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)inverse);
   BodySmoother  *body;
@@ -214,6 +312,7 @@ PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fi
   PetscInt       begin, n, count = 0, total, *list;
 
   PetscFunctionBeginUser;
+  *done = PETSC_TRUE;
   PetscCall(MatShellGetContext(inverse, &body));
   PetscCall(BodySmootherRelease_Private(body));
   PetscCall(PetscMalloc1(num, &body->fixed));
@@ -231,7 +330,7 @@ PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fi
     PetscCall(ISCreateStride(comm, n, begin, 1, &columns));
     PetscCall(MatCreateSubMatrix(body->inverse, rows, columns, MAT_INITIAL_MATRIX, &body->X));
     PetscCall(ISDestroy(&columns));
-    PetscCall(BodySmootherFactor_Private(body));
+    PetscCall(BodySmootherFactor_Private(body, done));
   }
   PetscCall(ISDestroy(&rows));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -4,7 +4,6 @@
    reference to it, since PETSc gives their PC nothing but them. */
 #include "base/compat.h"
 #include "multigrid/envelopefactor.h"
-#include "multigrid/envelopeparts.h"
 
 /* Root mean square of the widths of rows up to which an envelope costs less than a sparse factor. */
 static const PetscReal MAX_WIDTH = 400;
@@ -213,6 +212,24 @@ PetscErrorCode EnvelopeFactorKeep(Mat S, PetscInt bs, const PetscReal label[])
   PetscCall(PetscContainerSetCtxDestroy(container, KeptDestroy_Private));
   PetscCall(PetscObjectCompose((PetscObject)S, KEPT, (PetscObject)container));
   PetscCall(PetscContainerDestroy(&container));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeFactorKeepLike(Mat S, Mat other)
+{
+  Kept *kept;
+
+  PetscFunctionBeginUser;
+  PetscCall(KeptGet_Private(other, &kept));
+  if (kept) PetscCall(EnvelopeFactorKeep(S, kept->bs, kept->label));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeFactorGet(Mat S, EnvelopeParts **parts)
+{
+  PetscFunctionBeginUser;
+  PetscCall(EnvelopeFactorProvide_Private(S, PETSC_TRUE, parts));
+  if (*parts) (*parts)->references--; // S has another one
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -439,3 +439,15 @@ void EnvelopePartsSolve(const EnvelopeParts *parts, const PetscReal r[], PetscRe
   for (PetscInt i = 0; i < parts->edges->num; i++) z[parts->edges->row[i]] = edges[i] / parts->scale;
   for (PetscInt i = 0; i < parts->num_alone; i++) z[parts->alone[i]] = parts->inverse[i] * r[parts->alone[i]];
 }
+
+void EnvelopePartsSolveSome(const EnvelopeParts *parts, PetscInt num, const PetscInt which[], const PetscReal r[],
+                            PetscReal z[])
+{
+  for (PetscInt i = 0; i < num; i++) {
+    PetscReal *x = &parts->work[parts->start[which[i]]];
+
+    EnvelopePartsForward_Private(parts, which[i], r, x, NULL);
+    EnvelopePartsBackward_Private(parts, which[i], NULL, x, z);
+  }
+  for (PetscInt i = 0; i < parts->num_alone; i++) z[parts->alone[i]] = parts->inverse[i] * r[parts->alone[i]];
+}

@@ -35,5 +35,9 @@ PetscErrorCode EnvelopePartsFactor(const EnvelopeRows *A, EnvelopeParts *parts);
 void EnvelopePartsScale(PetscReal factor, EnvelopeParts *parts);
 /* z = A^-1 r. Not collective. [in] r, [out] z - [A->n] */
 void EnvelopePartsSolve(const EnvelopeParts *parts, const PetscReal r[], PetscReal z[]);
+/* The same in some blocks without edges, and in rows without others. Not collective.
+   [in] which - blocks [num]; [in] r, [in,out] z - [A->n] */
+void EnvelopePartsSolveSome(const EnvelopeParts *parts, PetscInt num, const PetscInt which[], const PetscReal r[],
+                            PetscReal z[]);
 
 #endif

@@ -165,7 +165,8 @@ PetscErrorCode HierarchyExtend(Hierarchy h, PetscBool drop, PetscBool renew, con
     PetscCall(HierarchyLevelDestroy_Private(top));
     h->num--;
   } else if (h->num > 1) {
-    PetscCall(SmootherDependsOnFinest(&top->op, &other));
+    if (top->S) PetscCall(BodySmootherIs(top->S, &other)); // for a finest level alone
+    if (!other) PetscCall(SmootherDependsOnFinest(&top->op, &other));
     if (other || renew) PetscCall(HierarchyRenewLevel_Private(&input, top));
   }
   PetscCall(PetscRealloc((size_t)(h->num + 1) * sizeof(HierarchyLevel), &h->level));

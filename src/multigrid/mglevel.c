@@ -251,7 +251,7 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more
     PetscCall(VecDestroy(&is));
     PetscCall(MGLevelListFixed_Private(level));
     PetscCall(MGLevelSetDiagonal_Private(level));
-    PetscCall(SmootherSetFixed(level->base->S, level->change, level->num, level->fixed, &level->S));
+    PetscCall(SmootherSetFixed(&level->base->op, level->base->S, level->change, level->num, level->fixed, &level->S));
     level->ready = PETSC_TRUE;
     if (!l) break;
     PetscCall(MGLevelSetLargest_Private(level));
@@ -337,7 +337,7 @@ PetscErrorCode MGLevelCreate(Hierarchy hierarchy, PetscInt l, MGLevel *level)
   PetscCall(VecDuplicate(level->base->diag, &level->diag));
   PetscCall(VecDuplicate(level->base->diag, &level->free));
   PetscCall(VecSet(level->free, 1));
-  PetscCall(SmootherSetFixed(level->base->S, NULL, 0, NULL, &level->S));
+  PetscCall(SmootherSetFixed(&level->base->op, level->base->S, NULL, 0, NULL, &level->S));
   if (l) PetscCall(MGLevelCreateShells_Private(level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -129,13 +129,14 @@ PetscErrorCode MultigridSmoothsMore(PC pc, PetscBool *smooths)
 {
   Multigrid *multigrid;
   PetscBool  by_body = PETSC_FALSE;
-  Mat        S;
+  Mat        S, blocks = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(MultigridGet_Private(pc, &multigrid));
-  S = multigrid->level[multigrid->num - 1].S;
+  S = multigrid->level[multigrid->num - 1].base->S;
   if (S) PetscCall(BodySmootherIs(S, &by_body));
-  *smooths = (PetscBool)!by_body;
+  if (by_body) PetscCall(BodySmootherGetBlocks(S, &blocks));
+  *smooths = (PetscBool)(!by_body || blocks);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

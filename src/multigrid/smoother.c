@@ -22,6 +22,8 @@
 
 /* Limit of the diagonal that condensation adds, relative to the diagonal before it; equal sides: 1. */
 static const PetscReal STIFF_SIDE = 2;
+/* Name under which T'S_u T is composed with the shell that does without it. */
+static const char CONDENSED[] = "MortiseSmootherCondensed";
 
 /* Entries of S_u in one row of K: couplings within the block of the node, or its diagonal.
    [in] label - own nodes, then ghosts; [out] num - entries, 1 for the diagonal; [out] column, value - NULL to
@@ -130,33 +132,41 @@ static PetscErrorCode SmootherAddDiagonal_Private(const Operator *op, Mat S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T'S T without fixed unknowns; not if it would be dense, as few nodes of one side face many of the other.
-   [in,out] S */
-static PetscErrorCode SmootherCondense_Private(const Operator *op, Mat *S)
+/* T'S_u T without fixed unknowns; not if it would be dense, as few nodes of one side face many of the other.
+   [in] blocks - S_u; [out] S - keeps its factors */
+static PetscErrorCode SmootherCondense_Private(const Operator *op, Mat blocks, Mat *S)
 {
-  Mat      product;
-  MatInfo  mine, whole;
-  PetscInt begin, *rows;
+  MatInfo   mine, whole;
+  PetscInt  begin, *rows;
+  PetscBool dense = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   if (op->T) {
-    PetscCall(GalerkinProduct(*S, op->T, &product));
-    PetscCall(MatGetInfo(product, MAT_GLOBAL_SUM, &mine));
+    PetscCall(GalerkinProduct(blocks, op->T, S));
+    PetscCall(MatGetInfo(*S, MAT_GLOBAL_SUM, &mine));
     PetscCall(MatGetInfo(op->K, MAT_GLOBAL_SUM, &whole));
-    if (mine.nz_used > whole.nz_used) {
-      PetscCall(MatDestroy(&product));
-      PetscCall(SmootherAddDiagonal_Private(op, *S));
-    } else {
-      PetscCall(MatDestroy(S));
-      *S = product;
-    }
+    dense = (PetscBool)(mine.nz_used > whole.nz_used);
+    if (dense) PetscCall(MatDestroy(S));
   }
+  if (!op->T || dense) PetscCall(MatDuplicate(blocks, MAT_COPY_VALUES, S));
+  if (dense) PetscCall(SmootherAddDiagonal_Private(op, *S));
   PetscCall(MatGetOwnershipRange(*S, &begin, NULL));
   PetscCall(PetscMalloc1(op->num_fixed, &rows));
   for (PetscInt i = 0; i < op->num_fixed; i++) rows[i] = begin + op->fixed[i];
   PetscCall(MatZeroRowsColumns(*S, op->num_fixed, rows, 1, NULL, NULL));
   PetscCall(PetscFree(rows));
   PetscCall(MatSetOption(*S, MAT_SPD, PETSC_TRUE));
+  PetscCall(EnvelopeFactorKeepLike(*S, blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* S from S_u. On the finest level active sets change S body by body, where that costs less. */
+static PetscErrorCode SmootherCreateFromBlocks_Private(const Operator *op, PetscBool finest, Mat blocks, Mat *S)
+{
+  PetscFunctionBeginUser;
+  *S = NULL;
+  if (finest && op->T && !op->slips) PetscCall(BodySmootherCreateOfBlocks(op, blocks, S));
+  if (!*S) PetscCall(SmootherCondense_Private(op, blocks, S));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -173,6 +183,7 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
   PetscReal    *label;
   PetscBool     weighs, found;
   GhostExchange ghosts;
+  Mat           blocks;
 
   PetscFunctionBeginUser;
   *S = NULL;
@@ -185,9 +196,10 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
   PetscCall(PetscMalloc1(ghosts.n + ghosts.num, &label));
   PetscCall(BlockSmootherLabel(op, &ghosts, (PetscBool)(weighs && !finest), label, &found));
   if (found) {
-    PetscCall(SmootherCreateBlocks_Private(op, &ghosts, label, S));
-    PetscCall(SmootherCondense_Private(op, S));
-    PetscCall(EnvelopeFactorKeep(*S, op->dim, label));
+    PetscCall(SmootherCreateBlocks_Private(op, &ghosts, label, &blocks));
+    PetscCall(EnvelopeFactorKeep(blocks, op->dim, label));
+    PetscCall(SmootherCreateFromBlocks_Private(op, finest, blocks, S));
+    PetscCall(MatDestroy(&blocks));
   } else if (finest && op->T && (weighs || single)) {
     PetscCall(BodySmootherCreate(op, S));
   }
@@ -196,7 +208,35 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S)
+/* Constrains S body by body. [in,out] from - T'S_u T if that costs less, or A changes otherwise; [out] S */
+static PetscErrorCode SmootherConstrain_Private(const Operator *op, Mat change, PetscInt num, const PetscInt fixed[],
+                                                Mat *from, Mat *S)
+{
+  PetscBool done;
+  Mat       blocks, condensed;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodySmootherGetBlocks(*from, &blocks));
+  done = (PetscBool) !(blocks && change);
+  if (done) PetscCall(BodySmootherSetFixed(*from, num, fixed, &done));
+  if (done) {
+    PetscCall(MatDestroy(S));
+    PetscCall(PetscObjectReference((PetscObject)*from));
+    *S = *from;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscObjectQuery((PetscObject)*from, CONDENSED, (PetscObject *)&condensed));
+  if (!condensed) {
+    PetscCall(SmootherCondense_Private(op, blocks, &condensed));
+    PetscCall(PetscObjectCompose((PetscObject)*from, CONDENSED, (PetscObject)condensed));
+    PetscCall(PetscObjectDereference((PetscObject)condensed));
+  }
+  if (*S == *from) PetscCall(MatDestroy(S));
+  *from = condensed;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherSetFixed(const Operator *op, Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S)
 {
   PetscInt  begin, *rows;
   PetscBool by_body, patches;
@@ -211,11 +251,10 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
   }
   PetscCall(BodySmootherIs(from, &by_body));
   if (by_body) {
-    PetscCall(BodySmootherSetFixed(from, num, fixed));
-    PetscCall(MatDestroy(S));
-    PetscCall(PetscObjectReference((PetscObject)from));
-    *S = from;
-    PetscFunctionReturn(PETSC_SUCCESS);
+    const Mat shell = from;
+
+    PetscCall(SmootherConstrain_Private(op, change, num, fixed, &from, S));
+    if (from == shell) PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(TruncationUpdateSum(from, change, S));
   PetscCall(MatGetOwnershipRange(*S, &begin, NULL));
@@ -231,6 +270,7 @@ PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscI
 PetscErrorCode SmootherScale(Mat S, PetscReal factor)
 {
   PetscBool by_body, patches;
+  Mat       blocks = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(PatchSmootherIs(S, &patches, NULL));
@@ -240,6 +280,8 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor)
   }
   PetscCall(BodySmootherIs(S, &by_body));
   PetscCall(MatScale(S, by_body ? 1 / factor : factor));
+  if (by_body) PetscCall(BodySmootherGetBlocks(S, &blocks));
+  if (blocks) PetscCall(MatScale(blocks, factor)); // the shell has its factors from before
   if (!by_body) PetscCall(EnvelopeFactorScale(S, factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -311,12 +353,15 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
 PetscErrorCode SmootherRenew(PC pc)
 {
   Mat       A, S;
-  PetscBool dealt;
+  PetscBool dealt, diagonal, shell, by_body;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCASM, &dealt));
-  if (!dealt) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PCGetOperators(pc, &A, &S));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCASM, &dealt));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCJACOBI, &diagonal));
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCMAT, &shell));
+  PetscCall(BodySmootherIs(S, &by_body));
+  if (!dealt && (diagonal || shell == by_body)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscObjectReference((PetscObject)A));
   PetscCall(PetscObjectReference((PetscObject)S));
   PetscCall(PCReset(pc));

@@ -15,9 +15,10 @@ PetscErrorCode SmootherDependsOnFinest(const Operator *op, PetscBool *depends);
 /* S := factor S. Collective. */
 PetscErrorCode SmootherScale(Mat S, PetscReal factor);
 /* S with fixed unknowns; S >= A still holds. Collective.
-   [in] from - without fixed unknowns, or NULL; [in] change - of A, or NULL; [in] fixed - counted from this
-   rank's first [num]; [in,out] S - replaced, owned by the caller; NULL like `from` */
-PetscErrorCode SmootherSetFixed(Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S);
+   [in] op - of SmootherCreate(); [in] from - without fixed unknowns, or NULL; [in] change - of A, or NULL;
+   [in] fixed - counted from this rank's first [num]; [in,out] S - replaced, owned by the caller; NULL like
+   `from` */
+PetscErrorCode SmootherSetFixed(const Operator *op, Mat from, Mat change, PetscInt num, const PetscInt fixed[], Mat *S);
 /* Makes pc the inverse of S, its second operator; each block is solved on one rank. Collective.
    [in] S - or NULL for the diagonal */
 PetscErrorCode SmootherSetPC(PC pc, Mat S);

@@ -314,6 +314,7 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
                    .Z               = vi->Z,
                    .num_fixed       = vi->num_fixed,
                    .num_constrained = vi->num_rows,
+                   .slips           = (PetscBool)(vi->friction != NULL),
                    .dim             = vi->level->dim,
                    .coords          = vi->level->coords};
   PetscCall(OperatorSetInequality(op, inequality->A, inequality->b, inequality->upper, W));
