@@ -9,7 +9,10 @@ case "${1:-}" in
   *) echo "usage: check.sh [long]" >&2 && exit 2 ;;
 esac
 . tests/packages.sh
-install_missing $build_packages $python_packages $pip_packages
+. tests/libraries.sh
+install_missing $build_packages $pip_packages
+install_missing $python_packages & # what only the tests need, while the program is built
+installing=$!
 set_up_mpi
 jobs=$(env -u OMP_NUM_THREADS nproc) # which otherwise tells the number of threads that a user wants of OpenMP
 tests=$((5 * jobs)) # side by side: one that runs on several ranks counts as many, and its ranks wait for each other, and for mpiexec to start them
@@ -19,24 +22,12 @@ faster="" linker=""
 if command -v ccache >/dev/null; then faster="-DCMAKE_C_COMPILER_LAUNCHER=ccache"; fi
 if command -v ld.gold >/dev/null; then linker="-fuse-ld=gold"; fi
 
-# Flags that name libraries which PETSc loads first of all, those first that have most of the symbols. The loader looks for a symbol in one library after
-# the other, a hundred of them: each of the thousands of processes of the tests then starts in three quarters of the time.
-first_libraries() {
-  local loaded name
-  loaded=$(ldd "$(pkg-config --variable=libdir PETSc)"/libpetsc*.so 2>/dev/null)
-  printf %s "-Wl,--no-as-needed"
-  for name in openblas trilinos_teuchosparameterlist crypto trilinos_ml 'stdc[+][+]' superlu_dist petsc_real trilinos_ifpack trilinos_epetra mpi \
-    trilinos_teuchoscomm trilinos_epetraext fftw3 hdf5_openmpi gnutls nettle open-pal trilinos_aztecoo unistring; do
-    awk -v name="^\tlib$name[.]so" '$0 ~ name { printf " %s", $3; exit }' <<<"$loaded"
-  done
-}
-
 # build <folder> <cmake option> ...
 build() {
   local folder=$1
   shift
   echo "building $folder"
-  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON $faster -DCMAKE_EXE_LINKER_FLAGS="$linker" "$@"
+  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON $faster -DCMAKE_EXE_LINKER_FLAGS="$linker $starting" "$@"
   quietly cmake --build "$folder" -j "$jobs"
 }
 
@@ -71,9 +62,11 @@ check_kernels() {
   done
 }
 
+starting=$(starting_flags "$PWD/build/unused")
 # In the long run, each file reads its headers itself: one that lacks an include does not compile.
-build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$long -DCMAKE_EXE_LINKER_FLAGS="$linker $(first_libraries)"
+build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$long
 build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
+wait $installing
 echo "testing with sanitizers"
 quietly ctest --test-dir build/sanitize $sanitized -j "$tests" --output-on-failure
 if [ -z "${CI:-}" ] && command -v valgrind >/dev/null; then check_memory build/check; fi
