@@ -459,3 +459,13 @@ PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S)
   PetscCall(SymmetricBlocksCreateSingle(&s->own, factor, &scaled->single));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode StiffnessGetBlocks(Mat K, const SymmetricBlocks **blocks)
+{
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(K, &s));
+  *blocks = s->start ? NULL : &s->own;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -12,6 +12,8 @@ PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K);
 /* The same of an AIJ matrix, on any number of ranks. Collective.
    [in] A - symmetric, in full blocks of its block size; copied */
 PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K);
+/* All of K, of one process. Not collective. [out] blocks - borrowed; NULL on several ranks */
+PetscErrorCode StiffnessGetBlocks(Mat K, const SymmetricBlocks **blocks);
 /* factor K for products alone, of the same entries. Collective. [out] S - a shell, owned by the caller */
 PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S);
 /* The same with numbers in single precision, for a preconditioner. */

@@ -177,7 +177,8 @@ static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *lev
   PetscCall(LogStageEnd(STAGE_MORTAR));
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));
   PetscCall(ElasticityAssemble(scene, level, K ? NULL : &vi->K, &vi->f));
-  if (K) PetscCall(StiffnessCreateOfMatrix(K, &vi->K));
+  if (K) PetscCall(PetscObjectReference((PetscObject)K));
+  if (K) vi->K = K;
   PetscCall(MatCreateVecs(vi->K, &vi->diagonal, NULL));
   PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
   PetscCall(LogStageEnd(STAGE_ASSEMBLY));
@@ -233,7 +234,8 @@ PetscErrorCode VIReplaceStiffness(VI vi, Mat K)
   PetscCall(VecDestroy(&vi->b));
   PetscCall(PetscFree(vi->fixed_local));
   PetscCall(PetscFree(vi->fixed));
-  PetscCall(StiffnessCreateOfMatrix(K, &vi->K));
+  PetscCall(PetscObjectReference((PetscObject)K));
+  vi->K         = K;
   vi->assembled = PETSC_FALSE;
   PetscCall(MatGetDiagonal(vi->K, vi->diagonal));
   PetscCall(BasisChangeGetFixed(vi, &vi->basis->bases, &vi->basis->couplings, &vi->num_fixed, &vi->fixed, &values));

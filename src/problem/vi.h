@@ -79,12 +79,12 @@ PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated);
    Collective. [in] u - ghosted */
 PetscErrorCode VISetSlipOrigin(VI vi, Vec u);
 /* The same scene on a coarser level of its mesh, with the scales of vi. Collective.
-   [in] l - level of vi->mesh; [in] K - in place of the level's own, or NULL;
+   [in] l - level of vi->mesh; [in] K - of stiffness.h, in place of the level's own, or NULL; referenced;
    [out] coarse - owned by the caller */
 PetscErrorCode VICreateCoarse(VI vi, PetscInt l, Mat K, VI *coarse);
 /* Takes another K for the same contact and supports. A, b and their parts are created anew, and VIAssemble()
    is to be called again. The uncondensed system is no longer that of the level's mesh. Collective.
-   [in] K - copied */
+   [in] K - of stiffness.h, referenced */
 PetscErrorCode VIReplaceStiffness(VI vi, Mat K);
 /* Makes A an AIJ matrix, as factorizations and submatrices need it. Takes three times the memory of K.
    Collective. */

@@ -5,6 +5,7 @@
    such product is formed. Elsewhere P' K_f P replaces the coarser level's K, since truncation subtracts parts
    of that product. */
 #include "base/compat.h"
+#include "problem/coarsestiffness.h"
 #include "problem/elasticity.h"
 #include "problem/stiffness.h"
 #include "solve/cellprolongation.h"
@@ -229,16 +230,14 @@ static PetscErrorCode MeshLevelsSetCoarse_Private(MeshLevels levels, PetscInt l,
 {
   const VI fine   = levels->vi[l + 1];
   Level   *coarse = &fine->mesh->levels[levels->of[l]];
-  Mat      K      = NULL, whole;
+  Mat      K      = NULL;
 
   PetscFunctionBeginUser;
   if (*nested) PetscCall(MeshLevelsTestParts_Private(coarse, fine->level, levels->P[l + 1], nested));
   if (!*nested) {
     PetscCall(MeshLevelsCreateDisplacements_Private(levels, l + 1, least, P));
-    PetscCall(MatConvert(fine->K, MATAIJ, MAT_INITIAL_MATRIX, &whole));
-    PetscCall(MatPtAP(whole, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &K));
-    PetscCall(MatProductClear(K)); // it would keep its factors
-    PetscCall(MatDestroy(&whole));
+    PetscCall(CoarseStiffnessCreate(coarse, fine->K, *P,
+                                    least || MeshLevelsAreCut_Private(levels, l + 1) ? NULL : levels->P[l + 1], &K));
   }
   if (!levels->vi[l])
     PetscCall(VICreateCoarse(fine, levels->of[l], K, &levels->vi[l]));

@@ -5,6 +5,7 @@
 #include "multigrid/bodysmoother.h"
 #include "multigrid/envelopefactor.h"
 #include "multigrid/mglevel.h"
+#include "problem/coarsestiffness.h"
 #include "solve/meshlevels.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
@@ -339,6 +340,34 @@ static void TestApart(VI vi)
   CHECK(!OperatorDestroy(&op));
 }
 
+/* P'K P block by block, and by products of matrices. */
+static void TestCoarse(VI vi)
+{
+  const Mesh mesh  = vi->mesh;
+  const Mat  nodal = MeshFinest(mesh)->prolongation;
+  Level     *below = &mesh->levels[mesh->num_levels - 2];
+  PetscReal  size, error;
+  Mat        components, P, K[2], whole[2];
+
+  CHECK(!MatCreateMAIJ(nodal, vi->level->dim, &components));
+  CHECK(!MatConvert(components, MATAIJ, MAT_INITIAL_MATRIX, &P));
+  CHECK(!MatSetBlockSize(P, vi->level->dim));
+  for (int i = 0; i < 2; ++i) {
+    CHECK(!CoarseStiffnessCreate(below, vi->K, P, i ? NULL : nodal, &K[i]));
+    CHECK(!MatConvert(K[i], MATAIJ, MAT_INITIAL_MATRIX, &whole[i]));
+  }
+  CHECK(!MatNorm(whole[1], NORM_INFINITY, &size));
+  CHECK(!MatAXPY(whole[0], -1, whole[1], DIFFERENT_NONZERO_PATTERN));
+  CHECK(!MatNorm(whole[0], NORM_INFINITY, &error));
+  CHECK_NEAR(error / size, 0, ROUNDING);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(!MatDestroy(&K[i]));
+    CHECK(!MatDestroy(&whole[i]));
+  }
+  CHECK(!MatDestroy(&components));
+  CHECK(!MatDestroy(&P));
+}
+
 /* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the rungs. */
 static void CompareRungs(MeshLevels levels, MGLevel mg[])
 {
@@ -445,6 +474,7 @@ int main(int argc, char **argv)
 
     TestInverse(vi);
     TestApart(vi);
+    TestCoarse(vi);
     levels = CreateLevels(vi);
     if (which != CASE_TIED) TestNested(levels);
     CHECK(!MeshLevelsDestroy(&levels));
