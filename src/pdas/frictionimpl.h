@@ -63,6 +63,8 @@ PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
 /* Decides from y and r what every unit does. Collective.
    [out] changed - units that do something else than before */
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
+/* Counts the units that would do something else, and changes none. Collective. */
+PetscErrorCode FrictionUnitsCompare(const FrictionUnits *units, PetscInt *changed);
 /* Sets the unknowns that the decisions fix: y_n = upper of closed units, s = 0 of sticking units.
    Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);
@@ -115,6 +117,9 @@ PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
+/* Sweeps over the units, unless the last steps did not descend. Each unit satisfies its law, with the others
+   as they are. */
+PetscErrorCode FrictionProblemSweep(FrictionProblem *problem);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 /* rho of FrictionReport, by power iteration. */

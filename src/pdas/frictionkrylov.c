@@ -38,10 +38,9 @@ typedef struct {
   PetscReal      size;    /* of the law's forces */
   PetscReal      ratio;   /* residual after the last step over the one before it */
   PetscInt       waiting; /* steps since the last one that descended */
+  PetscBool      strays;  /* a step did not descend: no more proximal steps */
   PetscBool      told;    /* decisions are set in the cycle */
   PetscBool      begun;   /* units have decided */
-  PetscBool      decided; /* the last step has made the decisions of the next one */
-  PetscInt       changed; /* units that do something else by them */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
   PetscBool      turns;   /* units have two tangents: slip may turn */
 } Krylov;
@@ -180,7 +179,7 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Makes the decisions, unless the last step did, and sets them in the cycle. [in] residual - at y;
+/* Makes the decisions, and sets them in the cycle. [in] residual - at y;
    [out] forcing - accuracy of the system of these decisions */
 static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscReal residual, FrictionStep *step,
                                                    PetscReal *forcing)
@@ -190,8 +189,7 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   FrictionReport  count;
 
   PetscFunctionBeginUser;
-  if (t->begun && !t->decided) PetscCall(FrictionUnitsDecide(&method->units, &t->changed));
-  step->changed = t->begun ? t->changed : 0;
+  if (t->begun) PetscCall(FrictionUnitsDecide(&method->units, &step->changed));
   PetscCall(FrictionUnitsCount(&method->units, &count, &step->closed));
   *forcing = t->begun ? FrictionKrylovForce_Private(t, rtol, residual, &count, step) : t->forcing;
   PetscCall(VecCopy(t->y, t->begin));
@@ -200,7 +198,6 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   if (step->changed || !t->told) PetscCall(FrictionLinearTell(&t->linear));
   t->same  = (PetscBool)(t->same && !step->changed);
   t->begun = t->told = PETSC_TRUE;
-  t->decided         = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -239,12 +236,25 @@ static PetscErrorCode FrictionKrylovConfirm_Private(FrictionMethod method, Frict
   if (step->done || step->shortened) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionUnitsCount(&method->units, &count, &confirmed.closed));
   if (t->turns && count.slipping) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(FrictionUnitsDecide(&method->units, &t->changed));
-  t->decided = PETSC_TRUE;
-  if (t->changed) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionUnitsCompare(&method->units, &confirmed.changed));
+  if (confirmed.changed) PetscFunctionReturn(PETSC_SUCCESS);
   forcing = FrictionKrylovForce_Private(t, rtol, step->residual, &count, &confirmed);
   PetscCall(FrictionKrylovSolve_Private(method, step->residual, forcing, step));
-  t->decided = PETSC_FALSE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Proximal steps before the decisions. Not without displacements, since they carry loads only a few cells
+   far. Not after a step that did not descend: in slender bodies they may lead away from the solution. */
+static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
+{
+  Krylov   *t = method->data;
+  PetscReal largest;
+
+  PetscFunctionBeginUser;
+  t->strays = (PetscBool)(t->strays || t->waiting);
+  PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
+  if (!t->begun || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionProximalApply(&t->linear, &method->units, t->y, t->r, t->begin, t->f));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -255,6 +265,7 @@ static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
   PetscReal    forcing = FIRST_FORCING;
 
   PetscFunctionBeginUser;
+  PetscCall(FrictionKrylovSettle_Private(method));
   PetscCall(FrictionKrylovEvaluate_Private(method, &before));
   PetscCall(FrictionKrylovDecide_Private(method, before.residual, step, &forcing));
   PetscCall(FrictionKrylovSolve_Private(method, before.residual, forcing, step));
@@ -271,6 +282,7 @@ static PetscErrorCode Restart_Krylov(FrictionMethod method)
   t->least              = PETSC_MAX_REAL;
   t->forcing            = FIRST_FORCING;
   t->waiting            = 0;
+  t->strays             = PETSC_FALSE;
   method->units.waiting = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

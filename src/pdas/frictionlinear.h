@@ -11,6 +11,7 @@ typedef struct {
   PetscBool           *left;    /* those that the cycle omits [n] */
   PetscBool            added;   /* the cycle has the resistance to turning */
   PetscBool            coupled; /* whether limits follow the pressure; set by the caller */
+  PetscReal            largest; /* eigenvalue of diag(A)^-1 A, 0 until it is needed */
   KSP                  ksp;     /* flexible GMRES; its matrix and preconditioner are shells */
   Mat                  A;
   Vec                  work;
@@ -32,5 +33,8 @@ PetscErrorCode FrictionLinearDestroy(FrictionLinear *linear);
 PetscErrorCode FrictionLinearTell(FrictionLinear *linear);
 /* Solves for d; reduces the residual by rtol. Collective. [in,out] iterations - its iterations are added */
 PetscErrorCode FrictionLinearSolve(FrictionLinear *linear, PetscReal rtol, Vec f, Vec d, PetscInt *iterations);
+/* Accelerated proximal steps. Collective. [in,out] units, y, r - values and forces, of units and of all
+   unknowns; [out] before, work - overwritten */
+PetscErrorCode FrictionProximalApply(FrictionLinear *linear, FrictionUnits *units, Vec y, Vec r, Vec before, Vec work);
 
 #endif

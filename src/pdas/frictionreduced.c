@@ -64,6 +64,7 @@ static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep 
   FrictionReport count;
 
   PetscFunctionBeginUser;
+  PetscCall(FrictionProblemSweep(&t->problem));
   PetscCall(FrictionUnitsDecide(units, &step->changed));
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));

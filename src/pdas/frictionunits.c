@@ -257,17 +257,41 @@ static PetscErrorCode FrictionUnitsChangeOne_Private(FrictionUnits *units, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed)
+/* Collective. [out] tolerance - of values and of forces */
+static PetscErrorCode FrictionUnitsGetTolerance_Private(const FrictionUnits *units, PetscReal tolerance[2])
 {
-  const PetscReal *y = units->y, *r = units->r;
-  PetscReal        tolerance[2] = {0, 0};
-
   PetscFunctionBeginUser;
+  tolerance[0] = tolerance[1] = 0;
   for (PetscInt i = 0; i < units->n; i++) {
-    tolerance[0] = PetscMax(tolerance[0], TIE_FRICTION * PetscAbsReal(y[i]));
-    tolerance[1] = PetscMax(tolerance[1], TIE_FRICTION * PetscAbsReal(r[i]));
+    tolerance[0] = PetscMax(tolerance[0], TIE_FRICTION * PetscAbsReal(units->y[i]));
+    tolerance[1] = PetscMax(tolerance[1], TIE_FRICTION * PetscAbsReal(units->r[i]));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, tolerance, 2, MPIU_REAL, MPI_MAX, units->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsCompare(const FrictionUnits *units, PetscInt *changed)
+{
+  PetscReal tolerance[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionUnitsGetTolerance_Private(units, tolerance));
+  *changed = 0;
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit next = units->unit[a];
+
+    *changed += FrictionUnitsDecideOne_Private(units, tolerance, &next) ? 1 : 0;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, changed, 1, MPIU_INT, MPI_SUM, units->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed)
+{
+  PetscReal tolerance[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionUnitsGetTolerance_Private(units, tolerance));
   *changed = 0;
   if (units->waiting >= SINGLE_STEPS) {
     PetscCall(FrictionUnitsChangeOne_Private(units, tolerance, changed));

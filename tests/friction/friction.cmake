@@ -8,6 +8,7 @@ mortise_scene_test(adaptive SCENE greco CHECK adaptive.py RANKS 1 LONG_RANKS 3 A
 mortise_scene_test(warm SCENE fretting CHECK warm.py RANKS 1 ARGS -load_steps 1,2,3 -adapt 3e-2)
 mortise_scene_test(warm_multigrid LONG SCENE fretting CHECK warm.py RANKS 1 LONG_RANKS 3 ARGS -load_steps 1,2,3 -adapt 3e-2 -pc_type truncatedmg)
 mortise_scene_test(warm_pull_off SCENE pull_off CHECK warm.py RANKS 1 ARGS -adapt 2e-3 -pc_type truncatedmg)
+mortise_scene_test(warm_clamp SCENE clamp CHECK warm.py RANKS 1 ARGS -adapt 5e-3 -load_steps 0.6)
 mortise_scene_test(warm_nested SCENE clamp CHECK warm.py RANKS 1 ARGS -load_steps 0.6 -dm_refine 2 -pc_type truncatedmg)
 mortise_scene_test(energy OWN_RUNS SCENE greco CHECK energy.py RANKS 1 LONG_RANKS 3)
 # Halved steps.
