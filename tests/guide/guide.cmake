@@ -9,8 +9,9 @@ endfunction()
 guide_test(options options)
 guide_test(summary summary)
 guide_test(python python)
-# It runs the program both with and without mpiexec, which want other settings of a busy machine.
-set_tests_properties(guide.python PROPERTIES RUN_SERIAL TRUE)
+# Some of its programs start ranks, which wait for each other beside other tests.
+set_tests_properties(guide.python PROPERTIES PROCESSORS 2 COST 100) # the first of all, because it takes longest
+set_property(TEST guide.python APPEND PROPERTY ENVIRONMENT LD_PRELOAD=${MORTISE_IDLE})
 foreach(part RANGE 2)
   guide_test(commands_${part} commands ${part} 3)
 endforeach()
