@@ -95,6 +95,27 @@ static PetscErrorCode Interpolate_MGLevel(Mat P, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* z = y + M P x. PETSc would keep a vector for M P x. */
+static PetscErrorCode InterpolateAdd_MGLevel(Mat P, Vec x, Vec y, Vec z)
+{
+  MGLevel           *level;
+  const PetscScalar *ya;
+  PetscScalar       *za, *fixed;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(P, &level));
+  PetscCall(PetscMalloc1(level->num, &fixed));
+  PetscCall(VecGetArrayRead(y, &ya));
+  for (PetscInt i = 0; i < level->num; i++) fixed[i] = ya[level->fixed[i]];
+  PetscCall(VecRestoreArrayRead(y, &ya));
+  PetscCall(MatMultAdd(level->base->P, x, y, z));
+  PetscCall(VecGetArray(z, &za));
+  for (PetscInt i = 0; i < level->num; i++) za[level->fixed[i]] = fixed[i];
+  PetscCall(VecRestoreArray(z, &za));
+  PetscCall(PetscFree(fixed));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* x = P'y for y that is 0 where fixed, as residuals of A^ are */
 static PetscErrorCode Restrict_MGLevel(Mat P, Vec y, Vec x)
 {
@@ -309,6 +330,7 @@ static PetscErrorCode MGLevelCreateShells_Private(MGLevel *level)
   PetscCall(MatSetOption(level->A, MAT_SPD, PETSC_TRUE));
   PetscCall(MatCreateShell(comm, n, coarse, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->P));
   PetscCall(MatShellSetOperation(level->P, MATOP_MULT, (void (*)(void))Interpolate_MGLevel));
+  PetscCall(MatShellSetOperation(level->P, MATOP_MULT_ADD, (void (*)(void))InterpolateAdd_MGLevel));
   PetscCall(MatShellSetOperation(level->P, MATOP_MULT_TRANSPOSE, (void (*)(void))Restrict_MGLevel));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

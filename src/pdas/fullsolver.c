@@ -282,6 +282,7 @@ static PetscErrorCode Finish_FullSolver(ActiveSolver solver, ActiveSolution *sol
   PetscFunctionBeginUser;
   (void)solution;
   PetscCall(VecCopy(t->y, y));
+  PetscCall(VecDestroy(&t->rest)); // room for the error bound; the next system makes another one
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
