@@ -146,10 +146,10 @@ static PetscBool BlockSmootherIsFlatFrom_Private(Stencil *stencil, PetscInt node
   return BlockSmootherIsFlat_Private(stencil, node);
 }
 
-/* Thresholds at nodes that are open, relative to their strongest coupling; none at others. [out] many -
-   whether many cells are long */
+/* Thresholds at nodes that are open, relative to their strongest coupling; none at others. [out] part -
+   of all nodes, with long cells */
 static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, GhostExchange *ghosts,
-                                                         const PetscBool open[], PetscReal strong, PetscBool *many)
+                                                         const PetscBool open[], PetscReal strong, PetscReal *part)
 {
   PetscReal count[2] = {0, ghosts->n};
 
@@ -167,7 +167,7 @@ static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, Ghost
   }
   PetscCall(GhostExchangeUpdate(ghosts, stencil->cut));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)stencil->op->K)));
-  *many = (PetscBool)(count[0] > MIN_LONG_PART * count[1]);
+  *part = count[0] / count[1];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -267,22 +267,23 @@ static PetscErrorCode BlockSmootherAcceptBlocks_Private(Stencil *stencil, GhostE
 }
 
 PetscErrorCode BlockSmootherLabel(const Operator *op, GhostExchange *ghosts, PetscBool wanted, PetscReal label[],
-                                  PetscBool *found)
+                                  PetscBool *found, PetscBool *round)
 {
   Stencil    stencil;
   Mat        graph;
-  PetscReal *part;
-  PetscBool *open, many = PETSC_FALSE, any = PETSC_TRUE;
+  PetscReal *part, part_long;
+  PetscBool *open, any = PETSC_TRUE;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(ghosts->n, &open, ghosts->n + ghosts->num, &part));
   for (PetscInt i = 0; i < ghosts->n; i++) open[i] = PETSC_TRUE;
   for (PetscInt i = 0; i < ghosts->n; i++) label[i] = (PetscReal)(ghosts->begin + i);
   PetscCall(BlockSmootherBeginStencil_Private(op, ghosts, &stencil));
-  PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, STRONG_FROM, &many));
-  *found = (PetscBool)(many || wanted);
+  PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, STRONG_FROM, &part_long));
+  *found = (PetscBool)(part_long > MIN_LONG_PART || wanted);
+  *round = (PetscBool)(part_long == 0);
   for (PetscReal strong = STRONG_FROM; *found && any && strong < STRONG_END; strong += STRONG_STEP) {
-    if (strong > STRONG_FROM) PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, strong, &many));
+    if (strong > STRONG_FROM) PetscCall(BlockSmootherSetThresholds_Private(&stencil, ghosts, open, strong, &part_long));
     PetscCall(BlockSmootherCreateGraph_Private(&stencil, &graph));
     PetscCall(GraphComponentsLabel(graph, part));
     PetscCall(MatDestroy(&graph));

@@ -22,10 +22,9 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 /* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
    gain little. Bisected cells form no lines of strong couplings. Two plates of cells 1 to 10 times as long as
    wide take 1.3 times the iterations with the diagonal, and each costs a third to two thirds. */
-static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *input, PetscInt l, const Operator *op,
-                                                      Mat *S)
+static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, PetscInt l, const Operator *op, Mat *S)
 {
-  PetscBool diagonal = PETSC_FALSE;
+  PetscBool diagonal = PETSC_FALSE, round = (PetscBool)(input->parts && input->round);
 
   PetscFunctionBeginUser;
   if (op->tight && (input->bisected || !input->lines)) {
@@ -38,14 +37,15 @@ static PetscErrorCode HierarchyCreateSmoother_Private(const HierarchyInput *inpu
   }
   if (diagonal) PetscFunctionReturn(PETSC_SUCCESS);
   if (input->lines)
-    PetscCall(SmootherCreate(op, (PetscBool)(l == input->num - 1), (PetscBool)(input->num == 1), S));
+    PetscCall(SmootherCreate(op, (PetscBool)(l == input->num - 1), (PetscBool)(input->num == 1), &round, S));
   else if (op->T)
     PetscCall(BodySmootherCreate(op, S));
+  input->round = round;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Sets up one level. [in] l - given level, -1 for a level of nodes; [in] coarsest - whether it is factored */
-static PetscErrorCode HierarchyBeginLevel_Private(const HierarchyInput *input, PetscInt l, PetscBool coarsest,
+static PetscErrorCode HierarchyBeginLevel_Private(HierarchyInput *input, PetscInt l, PetscBool coarsest,
                                                   HierarchyLevel *level)
 {
   const Mat A = level->op.A;
@@ -144,7 +144,7 @@ static PetscErrorCode HierarchyLevelDestroy_Private(HierarchyLevel *level)
 
 /* Another smoother for a level that is no longer the finest one: its blocks then contain a stiff side of
    contact. */
-static PetscErrorCode HierarchyRenewLevel_Private(const HierarchyInput *input, HierarchyLevel *level)
+static PetscErrorCode HierarchyRenewLevel_Private(HierarchyInput *input, HierarchyLevel *level)
 {
   PetscFunctionBeginUser;
   PetscCall(VecDestroy(&level->diag));
@@ -155,10 +155,9 @@ static PetscErrorCode HierarchyRenewLevel_Private(const HierarchyInput *input, H
 
 PetscErrorCode HierarchyExtend(Hierarchy h, PetscBool drop, PetscBool renew, const Operator *op, Mat P)
 {
-  const HierarchyInput input = {.num   = 2,
-                                .lines = PETSC_TRUE}; // the smoothers of level 0 are not those of a finest one
-  HierarchyLevel      *top   = &h->level[h->num - 1];
-  PetscBool            other = PETSC_FALSE;
+  HierarchyInput  input = {.num = 2, .lines = PETSC_TRUE}; // the smoothers of level 0 are not those of a finest one
+  HierarchyLevel *top   = &h->level[h->num - 1];
+  PetscBool       other = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   if (drop) {

@@ -38,6 +38,8 @@ typedef struct {
   PetscBool
       below; /* whether levels of nodes are made below the coarsest one; if not its A is AIJ and is factored, without S */
   NodeTable table;    /* of the coarsest one, for the first level below it; taken over */
+  PetscBool parts;    /* whether cells are equal parts of those of the level below, with their moduli */
+  PetscBool round;    /* whether no cell of the level below is long; of HierarchyCreate() */
   PetscBool lines;    /* whether cells may be long in whole lines or planes of nodes */
   PetscBool bisected; /* whether they are bisected simplices: then blocks are of use beside stiff sides alone */
 } HierarchyInput;

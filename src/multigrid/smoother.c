@@ -178,12 +178,31 @@ PetscErrorCode SmootherDependsOnFinest(const Operator *op, PetscBool *depends)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S)
+/* Searches for blocks. [in] wanted - even if cells are not long; [in,out] round - as of SmootherCreate();
+   [out] blocks - S_u, or NULL */
+static PetscErrorCode SmootherFindBlocks_Private(const Operator *op, PetscBool wanted, PetscBool *round, Mat *blocks)
 {
   PetscReal    *label;
-  PetscBool     weighs, found;
+  PetscBool     found;
   GhostExchange ghosts;
-  Mat           blocks;
+
+  PetscFunctionBeginUser;
+  *blocks = NULL;
+  if (*round && !wanted) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(GhostExchangeCreate(op->K, op->dim, &ghosts));
+  PetscCall(PetscMalloc1(ghosts.n + ghosts.num, &label));
+  PetscCall(BlockSmootherLabel(op, &ghosts, wanted, label, &found, round));
+  if (found) PetscCall(SmootherCreateBlocks_Private(op, &ghosts, label, blocks));
+  if (found) PetscCall(EnvelopeFactorKeep(*blocks, op->dim, label));
+  PetscCall(PetscFree(label));
+  PetscCall(GhostExchangeDestroy(&ghosts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, PetscBool *round, Mat *S)
+{
+  PetscBool weighs;
+  Mat       blocks;
 
   PetscFunctionBeginUser;
   *S = NULL;
@@ -192,19 +211,12 @@ PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool si
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SmootherDependsOnFinest(op, &weighs));
-  PetscCall(GhostExchangeCreate(op->K, op->dim, &ghosts));
-  PetscCall(PetscMalloc1(ghosts.n + ghosts.num, &label));
-  PetscCall(BlockSmootherLabel(op, &ghosts, (PetscBool)(weighs && !finest), label, &found));
-  if (found) {
-    PetscCall(SmootherCreateBlocks_Private(op, &ghosts, label, &blocks));
-    PetscCall(EnvelopeFactorKeep(blocks, op->dim, label));
+  PetscCall(SmootherFindBlocks_Private(op, (PetscBool)(weighs && !finest), round, &blocks));
+  if (blocks)
     PetscCall(SmootherCreateFromBlocks_Private(op, finest, blocks, S));
-    PetscCall(MatDestroy(&blocks));
-  } else if (finest && op->T && (weighs || single)) {
+  else if (finest && op->T && (weighs || single))
     PetscCall(BodySmootherCreate(op, S));
-  }
-  PetscCall(PetscFree(label));
-  PetscCall(GhostExchangeDestroy(&ghosts));
+  PetscCall(MatDestroy(&blocks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -7,9 +7,9 @@
 
 /* The matrix S of the smoother, with no active unknowns. Collective.
    [in] finest - whether only active unknowns will change A; [in] single - whether there is no coarser mesh;
-   [out] S - distributed like A, owned by the caller: a matrix, or a shell of its inverse (bodysmoother.h);
-   NULL for the diagonal */
-PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, Mat *S);
+   [in,out] round - whether it is known that no cell is long; [out] S - distributed like A, owned by the
+   caller: a matrix, or a shell of its inverse (bodysmoother.h); NULL for the diagonal */
+PetscErrorCode SmootherCreate(const Operator *op, PetscBool finest, PetscBool single, PetscBool *round, Mat *S);
 /* Whether `finest` matters: a nonmortar side is much stiffer than its mortar side. Collective. */
 PetscErrorCode SmootherDependsOnFinest(const Operator *op, PetscBool *depends);
 /* S := factor S. Collective. */

@@ -391,22 +391,35 @@ static PetscErrorCode MeshLevelsTestSame_Private(VI finest, PetscBool *same)
 }
 
 /* The inequalities of all levels; matrices as multigrid needs them. [out] below - whether there are to be
-   levels below the coarsest; P - of MeshLevelsSetCoarse_Private() [levels->num] */
-static PetscErrorCode MeshLevelsSetVIs_Private(MeshLevels levels, PetscBool *below, Mat P[])
+   levels below the coarsest; same - whether energies are, and cells are parts of cells; P - of
+   MeshLevelsSetCoarse_Private() [levels->num] */
+static PetscErrorCode MeshLevelsSetVIs_Private(MeshLevels levels, PetscBool *below, PetscBool *same, Mat P[])
 {
   const VI  finest = levels->vi[levels->num - 1];
   PetscInt  size;
-  PetscBool same, pointwise;
+  PetscBool pointwise;
 
   PetscFunctionBeginUser;
-  PetscCall(MeshLevelsTestSame_Private(finest, &same));
+  PetscCall(MeshLevelsTestSame_Private(finest, same));
   PetscCall(MeshLevelsAreNested(finest, &pointwise));
   for (PetscInt l = levels->num - 2; l >= 0; l--)
-    PetscCall(MeshLevelsSetCoarse_Private(levels, l, (PetscBool)!pointwise, &same, &P[l + 1]));
+    PetscCall(MeshLevelsSetCoarse_Private(levels, l, (PetscBool)!pointwise, same, &P[l + 1]));
   PetscCall(VecGetSize(levels->vi[0]->b, &size));
   *below = (PetscBool)(levels->num == 1 || HierarchyIsLarge(finest->level->dim, size));
   if (!*below) PetscCall(VIAssemble(levels->vi[0]));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a cell has the moduli of its parts. */
+static PetscBool MeshLevelsKeepModuli_Private(Scene scene)
+{
+  PetscBool keep = PETSC_TRUE;
+
+  for (PetscInt m = 0; m < scene->num_bodies + scene->num_regions; m++) {
+    if (m < scene->num_bodies && scene->bodies[m].missing) continue; // all of its cells are in regions
+    keep = (PetscBool)(keep && ElasticityHookeIsConstant(scene, m));
+  }
+  return keep;
 }
 
 /* Multigrid on inequalities that are known but for the coarser levels that NULL stands for. */
@@ -418,7 +431,8 @@ static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequalit
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(num, &input.op, num, &input.P));
-  PetscCall(MeshLevelsSetVIs_Private(levels, &input.below, input.P));
+  PetscCall(MeshLevelsSetVIs_Private(levels, &input.below, &input.parts, input.P));
+  input.parts = (PetscBool)(input.parts && MeshLevelsKeepModuli_Private(levels->vi[0]->scene));
   for (PetscInt l = 0; l < num; l++) {
     const VI         vi  = levels->vi[l];
     const Inequality own = {.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper};

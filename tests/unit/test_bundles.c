@@ -69,7 +69,7 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
   const PetscInt  faces[] = {ALONG, ALONG, ALONG};
   const PetscReal zero[] = {0, 0, 0}, upper[] = {ALONG * size[0], ALONG * size[1], ALONG * size[2]};
   PetscReal       label[2 * MAX_NODES], code[2 * MAX_NODES], first[MAX_NODES];
-  PetscBool       found;
+  PetscBool       found, round;
   TestScene       t;
   Mesh            mesh;
   VI              vi;
@@ -83,8 +83,9 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
   CHECK(!VICreate(&t.scene, mesh, &vi));
   CHECK(!MeshLevelsCreateOperator(&(Inequality){.vi = vi, .A = vi->A, .b = vi->b, .upper = vi->upper}, NULL, &op));
   CHECK(!GhostExchangeCreate(vi->K, 3, &ghosts));
-  CHECK(!BlockSmootherLabel(&op, &ghosts, PETSC_FALSE, label, &found));
+  CHECK(!BlockSmootherLabel(&op, &ghosts, PETSC_FALSE, label, &found, &round));
   CHECK(found == (PetscBool)(axes[0] || axes[1] || axes[2]));
+  CHECK(round == (PetscBool)!found);
   /* a bundle is what agrees in all positions but those along its axes */
   for (PetscInt i = 0; found && i < ghosts.n; ++i) {
     code[i] = 0;
