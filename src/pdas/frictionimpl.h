@@ -139,6 +139,7 @@ struct _n_FrictionMethod {
   PDAS         *pdas;
   ActiveSolver  solver; /* borrowed */
   FrictionUnits units;  /* all on the first rank, or of each rank its own */
+  PetscBool     plain;  /* decisions follow from the last step alone: no sweeps or proximal steps before them */
   void         *data;
   /* Resets the history of steps, for other limits. */
   PetscErrorCode (*restart)(FrictionMethod);

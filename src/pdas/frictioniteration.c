@@ -61,14 +61,38 @@ static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static PetscErrorCode FrictionIterationCreate_Private(PDAS *pdas, FrictionMethod method, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(pdas->reduced ? FrictionReducedCreate(method, y) : FrictionKrylovCreate(method, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Newton's method. If it fails, once more from the same y without sweeps or proximal steps: where there are
+   several solutions these may lead to and fro between them. */
+static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec y)
+{
+  PetscFunctionBeginUser;
+  PetscCall(FrictionIterationNewton_Private(snes, pdas, method));
+  if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscInfo(snes, "friction, once more: %s\n", pdas->failure));
+  PetscCall((*method->destroy)(method));
+  PetscCall(FrictionUnitsDestroy(&method->units));
+  pdas->failure = NULL;
+  method->plain = PETSC_TRUE;
+  PetscCall(FrictionIterationCreate_Private(pdas, method, y));
+  PetscCall(FrictionIterationNewton_Private(snes, pdas, method));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y)
 {
   struct _n_FrictionMethod method = {.pdas = pdas, .solver = solver};
 
   PetscFunctionBeginUser;
-  PetscCall(pdas->reduced ? FrictionReducedCreate(&method, y) : FrictionKrylovCreate(&method, y));
+  PetscCall(FrictionIterationCreate_Private(pdas, &method, y));
   PetscCall(pdas->fixed_point ? FrictionIterationFixedPoint_Private(snes, pdas, &method)
-                              : FrictionIterationNewton_Private(snes, pdas, &method));
+                              : FrictionIterationSolve_Private(snes, pdas, &method, y));
   PetscCall((*method.finish)(&method, y));
   PetscCall((*method.destroy)(&method));
   PetscCall(FrictionUnitsDestroy(&method.units));

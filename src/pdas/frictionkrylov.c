@@ -253,7 +253,7 @@ static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
   PetscFunctionBeginUser;
   t->strays = (PetscBool)(t->strays || t->waiting);
   PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
-  if (!t->begun || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (method->plain || !t->begun || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionProximalApply(&t->linear, &method->units, t->y, t->r, t->begin, t->f));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -57,14 +57,15 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *short
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step on the first rank. [out] failed */
-static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, FrictionStep *step, PetscBool *failed)
+/* One step on the first rank. [in] plain - of the method; [out] failed */
+static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool plain, FrictionStep *step,
+                                                       PetscBool *failed)
 {
   FrictionUnits *units = t->problem.units;
   FrictionReport count;
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionProblemSweep(&t->problem));
+  if (!plain) PetscCall(FrictionProblemSweep(&t->problem));
   PetscCall(FrictionUnitsDecide(units, &step->changed));
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));
@@ -88,7 +89,7 @@ static PetscErrorCode Step_Reduced(FrictionMethod method, FrictionStep *step)
   PetscBool failed = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, step, &failed));
+  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, method->plain, step, &failed));
   PetscCallMPI(MPI_Bcast(step, sizeof(*step), MPI_BYTE, 0, method->pdas->set.comm));
   PetscCallMPI(MPI_Bcast(&failed, 1, MPIU_BOOL, 0, method->pdas->set.comm));
   if (failed) method->pdas->failure = FAILURE_FRICTION;

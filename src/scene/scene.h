@@ -171,7 +171,8 @@ typedef enum {
   DATUM_TEMPERATURE  = 8,  /* temperatures and what else strains a body without a force */
   DATUM_MATERIAL     = 16, /* the stiffness */
   DATUM_MESH         = 32, /* the mesh, which is made once */
-  DATUM_PRETENSION   = 64  /* a mean axial force, and with it a strain without stress */
+  DATUM_PRETENSION   = 64, /* a mean axial force, and with it a strain without stress */
+  DATUM_FRICTION     = 128 /* coefficients and bounds of friction */
 } DatumKind;
 /* Data that time may multiply. */
 #define SCENE_STEPS_SCALABLE (DATUM_LOAD | DATUM_DISPLACEMENT | DATUM_GAP | DATUM_TEMPERATURE)

@@ -62,8 +62,8 @@ static PetscErrorCode DataList_Private(Scene scene, PetscInt *num, Datum **data)
     (*data)[n++] = (Datum){&pair->gap, DATUM_GAP, PETSC_FALSE, PETSC_TRUE};
     (*data)[n++] = (Datum){&pair->obstacle.gap, DATUM_GAP, PETSC_FALSE, PETSC_TRUE};
     (*data)[n++] = (Datum){&pair->exact, 0, PETSC_FALSE, PETSC_FALSE};
-    (*data)[n++] = (Datum){&pair->friction, 0, PETSC_FALSE, PETSC_TRUE};
-    (*data)[n++] = (Datum){&pair->bound, 0, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&pair->friction, DATUM_FRICTION, PETSC_FALSE, PETSC_TRUE};
+    (*data)[n++] = (Datum){&pair->bound, DATUM_FRICTION, PETSC_FALSE, PETSC_TRUE};
   }
   *num = 0;
   for (PetscInt i = 0; i < n; i++)

@@ -1,5 +1,6 @@
 # Coulomb's and Tresca's friction (-<pair>_friction, -<pair>_friction_bound).
 mortise_scene_test(incline CHECK incline.py RANKS 1 3 LABELS sanitize)
+mortise_scene_test(fading SCENE incline CHECK fading.py RANKS 1 ARGS -floor_friction "0.45-0.1*t" -load_steps 1,2)
 mortise_scene_test(incline_solid CHECK incline.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(tresca SCENE incline CHECK tresca.py RANKS 1 LONG_RANKS 3 ARGS -floor_friction 0 -floor_friction_bound 2500)
 mortise_scene_test(tresca_held CHECK tresca_held.py RANKS 1 LONG_RANKS 3)
@@ -26,6 +27,7 @@ mortise_scene_test(incline_large LONG SCENE incline_solid CHECK iterates.py ARGS
 mortise_scene_test(tresca_iterates SCENE incline CHECK iterates.py ARGS -floor_friction 0 -floor_friction_bound 2500 -pc_type truncatedmg)
 mortise_scene_test(greco_iterates SCENE greco CHECK iterates.py ARGS -dm_refine 2 -pc_type truncatedmg -cross_check)
 mortise_scene_test(accelerated SCENE greco CHECK accelerated.py RANKS 1 3 ARGS -floor_friction 3 -cross_check)
+mortise_scene_test(several SCENE greco CHECK several.py RANKS 1 ARGS -floor_friction 20 -pc_type truncatedmg)
 mortise_scene_test(greco_cost SCENE greco CHECK cost.py ARGS -dm_refine 2 -pc_type truncatedmg)
 mortise_scene_test(greco_iterates_once LONG SCENE greco CHECK iterates.py RANKS 1 3 ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(keystone_iterates SCENE keystone CHECK iterates.py ARGS -pc_type truncatedmg)
