@@ -5,7 +5,7 @@
    child that keeps a0 has the marked edge of facet 0 as its refinement edge, and likewise for a1. The facets
    that are cut have the edge opposite w marked. The new facet, (w a2 a3), has a2 a3 marked, except in a flat
    cell with the flag. A cell is flat if its marked edges all bound one facet. */
-#include "kernel/bisect.h"
+#include "kernel/bisectimpl.h"
 #include "base/compat.h"
 
 /* Marks of a cell in one byte: in space, which edge of facets 0 and 1 is marked, and the flag. */
@@ -22,52 +22,19 @@ enum {
 /* Lengths that differ by less are equal, so that symmetric meshes are refined symmetrically. */
 static const PetscReal LENGTH_STEPS = 1e10;
 
-/* Edges that were cut, by their ends: open addressing with linear steps. */
+/* Vertices in the middles of edges that were cut. */
 typedef struct {
-  PetscInt room, num;  /* room is a power of 2 */
-  PetscInt (*edge)[3]; /* lower end or -1, upper end, middle [room] */
-  PetscBool *touched;  /* whether an edge of the vertex was cut [room_vertices of the mesh] */
+  EdgeTable  middles;
+  PetscInt   room;
+  PetscBool *touched; /* whether an edge of the vertex was cut [room] */
 } Cuts;
 
-enum { CUTS_FIRST_ROOM = 1024 };
-
-static PetscInt *CutsFind_Private(const Cuts *cuts, PetscInt a, PetscInt b)
-{
-  const PetscInt low = PetscMin(a, b), high = PetscMax(a, b);
-  size_t         k = (size_t)low * 0x9E3779B97F4A7C15U ^ (size_t)high * 0xC2B2AE3D27D4EB4FU;
-
-  for (k ^= k >> 29;; k++) {
-    PetscInt *edge = cuts->edge[k & (size_t)(cuts->room - 1)];
-
-    if (edge[0] < 0 || (edge[0] == low && edge[1] == high)) return edge;
-  }
-}
-
-static PetscErrorCode CutsGrow_Private(Cuts *cuts)
-{
-  Cuts old = *cuts;
-
-  PetscFunctionBeginUser;
-  cuts->room = PetscMax(CUTS_FIRST_ROOM, 2 * old.room);
-  PetscCall(PetscMalloc1(cuts->room, &cuts->edge));
-  for (PetscInt k = 0; k < cuts->room; k++) cuts->edge[k][0] = -1;
-  for (PetscInt k = 0; k < old.room; k++) {
-    if (old.edge[k][0] >= 0)
-      PetscCall(PetscArraycpy(CutsFind_Private(cuts, old.edge[k][0], old.edge[k][1]), old.edge[k], 3));
-  }
-  PetscCall(PetscFree(old.edge));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Room for one more of each. */
-static PetscErrorCode BisectionGrow_Private(Bisection *mesh, Cuts *cuts)
+PetscErrorCode BisectionGrow(Bisection *mesh)
 {
   PetscFunctionBeginUser;
   if (mesh->num_vertices == mesh->room_vertices) {
     mesh->room_vertices = 2 * mesh->room_vertices;
     PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*mesh->ends), &mesh->ends));
-    PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*cuts->touched), &cuts->touched));
-    PetscCall(PetscArrayzero(&cuts->touched[mesh->num_vertices], mesh->room_vertices - mesh->num_vertices));
   }
   if (mesh->num_cells == mesh->room_cells) {
     mesh->room_cells = 2 * mesh->room_cells;
@@ -82,23 +49,15 @@ static PetscErrorCode BisectionGrow_Private(Bisection *mesh, Cuts *cuts)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The middle of an edge, made if it is new. */
-static PetscErrorCode BisectionGetMiddle_Private(Bisection *mesh, Cuts *cuts, PetscInt a, PetscInt b, PetscInt *middle)
+PetscErrorCode BisectionGetMiddle(Bisection *mesh, EdgeTable *middles, PetscInt a, PetscInt b, PetscInt *middle)
 {
-  PetscInt *edge = CutsFind_Private(cuts, a, b);
-
   PetscFunctionBeginUser;
-  if (edge[0] < 0) {
-    edge[0]                             = PetscMin(a, b);
-    edge[1]                             = PetscMax(a, b);
-    edge[2]                             = mesh->num_vertices;
-    mesh->ends[mesh->num_vertices][0]   = edge[0];
-    mesh->ends[mesh->num_vertices++][1] = edge[1];
-    cuts->touched[a] = cuts->touched[b] = PETSC_TRUE;
-    cuts->num++;
-  }
-  *middle = edge[2];
-  if (2 * cuts->num > cuts->room) PetscCall(CutsGrow_Private(cuts));
+  *middle = EdgeTableFind(middles, a, b);
+  if (*middle >= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  *middle                = mesh->num_vertices++;
+  mesh->ends[*middle][0] = PetscMin(a, b);
+  mesh->ends[*middle][1] = PetscMax(a, b);
+  PetscCall(EdgeTableAdd(middles, a, b, *middle));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -187,8 +146,14 @@ static PetscErrorCode BisectionCut_Private(Bisection *mesh, Cuts *cuts, PetscInt
   PetscInt middle;
 
   PetscFunctionBeginUser;
-  PetscCall(BisectionGrow_Private(mesh, cuts));
-  PetscCall(BisectionGetMiddle_Private(mesh, cuts, mesh->vertex[cell][0], mesh->vertex[cell][1], &middle));
+  PetscCall(BisectionGrow(mesh));
+  if (mesh->room_vertices > cuts->room) {
+    PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*cuts->touched), &cuts->touched));
+    PetscCall(PetscArrayzero(&cuts->touched[cuts->room], mesh->room_vertices - cuts->room));
+    cuts->room = mesh->room_vertices;
+  }
+  for (PetscInt i = 0; i < 2; i++) cuts->touched[mesh->vertex[cell][i]] = PETSC_TRUE;
+  PetscCall(BisectionGetMiddle(mesh, &cuts->middles, mesh->vertex[cell][0], mesh->vertex[cell][1], &middle));
   BisectionSetChild_Private(mesh, cell, 1, middle, mesh->num_cells++);
   BisectionSetChild_Private(mesh, cell, 0, middle, cell);
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -204,7 +169,7 @@ static PetscBool BisectionMustCut_Private(const Bisection *mesh, const Cuts *cut
     for (PetscInt j = 0; j < i && cuts->touched[a]; j++) {
       const PetscInt b = mesh->vertex[cell][j];
 
-      if (cuts->touched[b] && CutsFind_Private(cuts, a, b)[0] >= 0) return PETSC_TRUE;
+      if (cuts->touched[b] && EdgeTableFind(&cuts->middles, a, b) >= 0) return PETSC_TRUE;
     }
   }
   return PETSC_FALSE;
@@ -240,8 +205,7 @@ static PetscErrorCode BisectionClose_Private(Bisection *mesh, Cuts *cuts)
     (array) = sorted;                                                                                                  \
   } while (0)
 
-/* Cells in the order of their parents: neighbours stay near each other in memory. */
-static PetscErrorCode BisectionSort_Private(Bisection *mesh)
+PetscErrorCode BisectionSort(Bisection *mesh)
 {
   PetscInt *begin, *to, num_parents = 0;
 
@@ -265,28 +229,32 @@ static PetscErrorCode BisectionSort_Private(Bisection *mesh)
 
 PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[])
 {
-  Cuts cuts = {0};
+  Cuts cuts = {.room = mesh->room_vertices};
 
   PetscFunctionBeginUser;
-  PetscCall(CutsGrow_Private(&cuts));
-  PetscCall(PetscCalloc1(mesh->room_vertices, &cuts.touched));
+  PetscCall(PetscCalloc1(cuts.room, &cuts.touched));
   for (PetscInt c = 0; c < mesh->num_cells; c++) mesh->goal[c] = mesh->generation[c] + marked[c] * mesh->dim;
   PetscCall(BisectionClose_Private(mesh, &cuts));
-  PetscCall(BisectionSort_Private(mesh));
-  PetscCall(PetscFree(cuts.edge));
+  PetscCall(BisectionSort(mesh));
+  PetscCall(EdgeTableDestroy(&cuts.middles));
   PetscCall(PetscFree(cuts.touched));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void BisectionSetParents(Bisection *mesh)
+{
+  for (PetscInt c = 0; c < mesh->num_cells; c++) {
+    mesh->parent[c] = c;
+    for (PetscInt i = 0; i < mesh->corners; i++) {
+      for (PetscInt j = 0; j < mesh->corners; j++) mesh->place[c][i][j] = i == j;
+    }
+  }
 }
 
 PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[])
 {
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < mesh->num_cells; c++) {
-    mesh->parent[c] = c;
-    for (PetscInt i = 0; i <= mesh->dim; i++) {
-      for (PetscInt j = 0; j <= mesh->dim; j++) mesh->place[c][i][j] = i == j;
-    }
-  }
+  BisectionSetParents(mesh);
   PetscCall(BisectionRefineMore(mesh, marked));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -377,14 +345,12 @@ static void CellBegin_Private(Bisection *mesh, const PetscReal coords[], PetscRe
   mesh->marks[cell] |= turned;
 }
 
-PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
-                               const PetscInt facets[], const PetscReal coords[], Bisection *mesh)
+PetscErrorCode BisectionBegin(PetscInt dim, PetscInt corners, PetscInt num_vertices, PetscInt num_cells,
+                              const PetscInt cells[], const PetscInt facets[], Bisection *mesh)
 {
-  const PetscInt num  = dim + 1;
-  PetscReal      unit = 0;
-
   PetscFunctionBeginUser;
   *mesh = (Bisection){.dim           = dim,
+                      .corners       = corners,
                       .num_vertices  = num_vertices,
                       .num_cells     = num_cells,
                       .room_vertices = PetscMax(1, num_vertices),
@@ -395,13 +361,26 @@ PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num
   PetscCall(PetscCalloc1(mesh->room_cells, &mesh->generation));
   PetscCall(PetscMalloc1(mesh->room_cells, &mesh->parent));
   PetscCall(PetscMalloc1(mesh->room_cells, &mesh->place));
-  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->marks));
+  PetscCall(PetscCalloc1(mesh->room_cells, &mesh->marks));
   PetscCall(PetscMalloc1(mesh->room_cells, &mesh->goal));
   for (PetscInt v = 0; v < num_vertices; v++) mesh->ends[v][0] = mesh->ends[v][1] = -1;
   for (PetscInt c = 0; c < num_cells; c++) {
+    PetscCall(PetscArraycpy(mesh->vertex[c], &cells[c * corners], corners));
+    PetscCall(PetscArraycpy(mesh->facet[c], &facets[c * corners], corners));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
+                               const PetscInt facets[], const PetscReal coords[], Bisection *mesh)
+{
+  const PetscInt num  = dim + 1;
+  PetscReal      unit = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(BisectionBegin(dim, num, num_vertices, num_cells, cells, facets, mesh));
+  for (PetscInt c = 0; c < num_cells; c++) {
     for (PetscInt i = 0; i < num; i++) {
-      mesh->vertex[c][i] = cells[c * num + i];
-      mesh->facet[c][i]  = facets[c * num + i];
       for (PetscInt j = 0; j < i; j++)
         unit = PetscMax(unit, EdgeLength2_Private(dim, coords, cells[c * num + i], cells[c * num + j]));
     }

@@ -1,4 +1,4 @@
-/* bisect.h -- conforming bisection of triangles and tetrahedra.
+/* bisect.h -- conforming bisection of triangles and tetrahedra, and splitting of quadrilaterals.
 
    A cell is halved through the middle of its refinement edge, the one between its first two vertices. In the
    plane the next refinement edge is opposite the newest vertex [1]; in space marks on facets determine it
@@ -16,24 +16,25 @@
 #ifndef MORTISE_BISECT_H
 #define MORTISE_BISECT_H
 
-#include <petscsys.h>
+#include "kernel/edgetable.h"
 
 enum { BISECT_MAX_VERTICES = 4 };
 
 /* A mesh that can be refined. Owned by the caller, BisectionDestroy(). */
 typedef struct {
-  PetscInt dim, num_vertices, num_cells;
-  PetscInt room_vertices, room_cells; /* that the arrays have */
+  PetscInt dim, corners, num_vertices, num_cells; /* corners: of a cell, dim+1, or 4 of a quadrilateral */
+  PetscInt room_vertices, room_cells;             /* that the arrays have */
 
-  PetscInt (*vertex)[BISECT_MAX_VERTICES]; /* dim+1 of every cell [num_cells] */
-  PetscInt (*facet)
-      [BISECT_MAX_VERTICES]; /* the caller's number of the facet opposite each vertex, which its halves inherit; -1
-                                              between cells [num_cells] */
-  PetscInt *generation;      /* bisections since the beginning [num_cells] */
-  PetscInt (*ends)[2];       /* of the edge whose middle a vertex is; -1 for the first ones [num_vertices] */
+  PetscInt (*vertex)[BISECT_MAX_VERTICES]; /* the corners of every cell [num_cells] */
+  PetscInt (
+      *facet)[BISECT_MAX_VERTICES]; /* the caller's number of the facet opposite each vertex, in a quadrilateral of that
+                                after it, which its halves inherit; -1 between cells [num_cells] */
+  PetscInt *generation;             /* bisections since the beginning [num_cells] */
+  PetscInt (
+      *ends)[2]; /* of the edge whose middle a vertex is; -1 for the first ones and middles of cells [num_vertices] */
 
-  /* The cell before the last BisectionRefine(), and the barycentric coordinates of each vertex in it, in that
-     cell's order of vertices. These are dyadic, hence exact [num_cells] */
+  /* The cell before the last BisectionRefine(), and the shape functions of order 1 of each vertex in it, in
+     that cell's order of vertices. These are dyadic, hence exact [num_cells] */
   PetscInt *parent;
   PetscReal (*place)[BISECT_MAX_VERTICES][BISECT_MAX_VERTICES];
 
@@ -59,5 +60,17 @@ PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[]);
 /* The same for the present cells: parents and coordinates refer to the cells before the last
    BisectionRefine(). Not collective. */
 PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[]);
+
+/* The same for quadrilaterals, which keep their type. Each marked cell becomes four for each mark. Others
+   are split until two cells with a point in common differ by one splitting at most. So a vertex may hang in
+   the middle of an edge, and the ends of this edge do not hang. The result is the coarsest mesh of this kind.
+   Not collective.
+   [in] cells - vertices around each cell [num_cells][4]; facets - [num_cells][4] */
+PetscErrorCode SplitCreate(PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[], const PetscInt facets[],
+                           Bisection *mesh);
+PetscErrorCode SplitRefine(Bisection *mesh, const PetscInt marked[]);
+PetscErrorCode SplitRefineMore(Bisection *mesh, const PetscInt marked[]);
+/* Vertices in the middles of edges. [out] middles - of all edges that were split, to be destroyed */
+PetscErrorCode SplitGetMiddles(const Bisection *mesh, EdgeTable *middles);
 
 #endif

@@ -1,6 +1,6 @@
-/* adapt.c -- one more level by bisection of marked cells.
+/* adapt.c -- one more level by bisection or splitting of marked cells.
 
-   The first rank bisects, in integer arithmetic. Its new lists of cells become one DMPlex, which is
+   The first rank refines, in integer arithmetic. Its new lists of cells become one DMPlex, which is
    partitioned anew: so every level is balanced, and sides that may meet share ranks. For the prolongation,
    the first rank gathers the global nodes of all cells of both levels; it knows the parent of each cell, and
    the position of the cell in it. */
@@ -17,7 +17,8 @@ PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[]
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     (*forest)->names[b] = names[b];
     names[b]            = (SideNames){0};
-    PetscCall(BodyListCut(&scene->bodies[b], &lists[b], &(*forest)->cut[b]));
+    if (!scene->adapt.kept || !BodyListCanSplit(&lists[b]))
+      PetscCall(BodyListCut(&scene->bodies[b], &lists[b], &(*forest)->cut[b]));
     PetscCall(TreeCreate(scene, b, &(*forest)->names[b], &lists[b], &(*forest)->tree[b]));
   }
   PetscCallMPI(MPI_Bcast((*forest)->cut, (PetscMPIInt)scene->num_bodies, MPIU_BOOL, 0, scene->comm));
@@ -68,7 +69,8 @@ static PetscErrorCode LevelDescribeCells_Private(const Level *level, const Petsc
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
     cells[c] = (ForestCell){.cell = origin[begin + c - first], .type = level->cell_type[c], .age = NOT_BISECTED};
-    for (PetscInt i = 0; i <= level->dim; i++) cells[c].vertex[i] = origin[point[nodes[i]] - first] - num_all;
+    for (PetscInt i = 0; i < LevelNumVertices(level, c); i++)
+      cells[c].vertex[i] = origin[point[nodes[i]] - first] - num_all;
     for (PetscInt k = 0; k < ElementNumNodes((ElementType)level->cell_type[c]); k++)
       cells[c].nodes[k] = level->node_global[nodes[k]];
   }
@@ -85,7 +87,7 @@ static void ForestLocalize_Private(MeshForest forest)
     const Bisection *mesh = &forest->tree[b].mesh;
 
     for (PetscInt c = 0; c < mesh->num_cells; c++, cell++) {
-      for (PetscInt i = 0; i <= mesh->dim; i++) forest->cell[cell].vertex[i] -= vertex;
+      for (PetscInt i = 0; i < mesh->corners; i++) forest->cell[cell].vertex[i] -= vertex;
     }
     vertex += mesh->num_vertices;
   }
@@ -208,6 +210,11 @@ static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestC
   PetscCall(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
   fine->prolongation = P;
+  if (coarse->conforming) {
+    PetscCall(MatMatMult(P, coarse->conforming, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &fine->prolongation));
+    PetscCall(MatProductClear(fine->prolongation)); // it would keep its factors
+    PetscCall(MatDestroy(&P));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -279,6 +286,7 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   PetscCall(PartitionDistribute(mesh->scene, 0, &dm, &curves, &origin));
   PetscCall(LevelCreateFromPlex(mesh->scene, dm, &curves, fine));
   PetscCall(MeshForestGather(forest, fine, origin));
+  PetscCall(MeshForestSetHanging(forest, fine));
   PetscCall(MeshForestSetAges_Private(forest, before, fine));
   PetscCall(MeshForestProlong_Private(forest, before, fine - 1, fine));
   mesh->num_levels++;

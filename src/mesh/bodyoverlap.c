@@ -43,7 +43,7 @@ static PetscErrorCode BoundaryCreate_Private(const Level *level, Boundary *b)
   PetscBool *shared;
 
   PetscFunctionBeginUser;
-  PetscCall(PointsMarkShared(level->dm, &shared));
+  PetscCall(LevelMarkShared(level, &shared));
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
   b->num = 0;
   for (int pass = 0; pass < 2; pass++) {

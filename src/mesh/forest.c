@@ -1,4 +1,4 @@
-/* forest.c -- the cells of a body under bisection. */
+/* forest.c -- the cells of a body under bisection, or under splitting. */
 #include "mesh/forest.h"
 #include "base/compat.h"
 
@@ -6,9 +6,10 @@
    long thin cells along a circle need more than three. */
 enum { UNTANGLE_TIMES = 12 };
 
-/* The facet of a simplex opposite a vertex. */
-static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
+/* The facet that belongs to a vertex: in a simplex opposite to it, in a quadrilateral the edge after it. */
+static PetscInt FacetOfVertex_Private(ElementType linear, PetscInt vertex)
 {
+  if (linear == ELEMENT_QUAD4) return vertex;
   for (PetscInt f = 0; f < ElementNumFacets(linear); f++) {
     const PetscInt *nodes = ElementFacetNodes(linear, f);
     PetscBool       has   = PETSC_FALSE;
@@ -21,11 +22,10 @@ static PetscInt FacetOpposite_Private(ElementType linear, PetscInt vertex)
 }
 
 /* Numbers the facets that have sides.
-   [out] facets - number of the facet opposite each vertex, -1 without a side [num_cells][dim+1] */
-static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt facets[])
+   [out] facets - number of the facet of each vertex, -1 without a side [num_cells][num] */
+static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt num, PetscInt facets[])
 {
   const BodyList *list = &tree->list;
-  const PetscInt  num  = list->dim + 1;
 
   PetscFunctionBeginUser;
   tree->num_entries = list->num_facets;
@@ -36,7 +36,7 @@ static PetscErrorCode TreeNumberFacets_Private(Tree *tree, PetscInt facets[])
     const ElementType linear = ElementLinear((ElementType)list->cell_type[cell]);
 
     for (PetscInt v = 0; v < num; v++) {
-      if (FacetOpposite_Private(linear, v) != list->facet[e]) continue;
+      if (FacetOfVertex_Private(linear, v) != list->facet[e]) continue;
       tree->side[e]          = list->facet_side[e];
       tree->another[e]       = facets[cell * num + v];
       facets[cell * num + v] = e;
@@ -65,14 +65,14 @@ static PetscErrorCode TreeListFacets_Private(const Tree *tree, BodyList *list)
     if (pass) PetscCall(PetscMalloc3(num, &list->facet_cell, num, &list->facet, num, &list->facet_side));
     num = 0;
     for (PetscInt c = 0; c < mesh->num_cells; c++) {
-      for (PetscInt v = 0; v <= mesh->dim; v++) {
+      for (PetscInt v = 0; v < mesh->corners; v++) {
         for (PetscInt e = mesh->facet[c][v]; e >= 0; e = tree->another[e], num++) {
           PetscInt place;
 
           if (!pass) continue;
-          place = PlaceOf_Private(mesh->dim + 1, &list->cell_nodes[c * ELEMENT_MAX_NODES], mesh->vertex[c][v]);
+          place = PlaceOf_Private(mesh->corners, &list->cell_nodes[c * ELEMENT_MAX_NODES], mesh->vertex[c][v]);
           list->facet_cell[num] = c;
-          list->facet[num]      = FacetOpposite_Private(ElementLinear((ElementType)list->cell_type[c]), place);
+          list->facet[num]      = FacetOfVertex_Private(ElementLinear((ElementType)list->cell_type[c]), place);
           list->facet_side[num] = tree->side[e];
         }
       }
@@ -122,19 +122,60 @@ static PetscErrorCode CellMapNodes_Private(const BodyList *list, const SceneBody
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The smallest det J of a cell. [in] reversed - of the tree */
-static PetscErrorCode CellMinJacobian_Private(const BodyList *list, const SceneBody *body, PetscInt cell,
-                                              PetscBool reversed, PetscReal *jacobian)
+/* A list of a tree, and its edges that nodes hang on. */
+typedef struct {
+  const Tree      *tree;
+  const BodyList  *list;
+  const SceneBody *body;
+  EdgeTable        hung; /* of TreeGetHung(); empty for the first list */
+} MappedList;
+
+/* Moves the nodes of an edge of a cell to the edge that they hang on, where they do.
+   [in,out] X - of the cell, as one of the given type [nodes of type][dim] */
+static PetscErrorCode CellHangEdge_Private(const MappedList *mapped, PetscInt cell, ElementType type, PetscInt e,
+                                           PetscReal X[])
 {
-  const ElementType type = ElementOfOrder((ElementType)list->cell_type[cell], body->order);
+  const BodyList *list  = mapped->list;
+  const PetscInt *local = ElementEdgeNodes(type, e), *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+  const PetscInt  ends[2] = {nodes[local[0]], nodes[local[1]]}, dim = list->dim, corners = mapped->tree->mesh.corners;
+  const PetscInt  order = ElementOrder(type);
+  PetscReal       Y[3 * ELEMENT_MAX_NODES], phi[ELEMENT_MAX_NODES];
+  PetscInt        middle, whole = TreeFindHalf(mapped->tree, &mapped->hung, ends, &middle);
+  PetscBool       finite, last;
+
+  PetscFunctionBeginUser;
+  if (whole < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(CellMapNodes_Private(list, mapped->body, whole / corners, type, Y, &finite));
+  last = (PetscBool)(list->cell_nodes[whole / corners * ELEMENT_MAX_NODES + whole % corners] != ends[1 - middle]);
+  for (PetscInt i = 0; i < order; i++) { // the middle of that edge, then a quarter of it
+    const PetscReal place  = i ? (last ? 0.75 : 0.25) : 0.5;
+    const PetscInt  from[] = {whole % corners, (whole + 1) % corners, corners + whole % corners};
+    PetscReal      *x      = &X[(i ? corners + e : local[middle]) * dim];
+
+    ElementShape(order > 1 ? ELEMENT_LINE3 : ELEMENT_LINE2, &place, phi, NULL);
+    for (PetscInt d = 0; d < dim; d++) {
+      x[d] = 0;
+      for (PetscInt k = 0; k <= order; k++) x[d] += phi[k] * Y[from[k] * dim + d];
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The smallest det J of a cell. */
+static PetscErrorCode CellMinJacobian_Private(const MappedList *mapped, PetscInt cell, PetscReal *jacobian)
+{
+  const BodyList   *list = mapped->list;
+  const ElementType type = ElementOfOrder((ElementType)list->cell_type[cell], mapped->body->order);
   PetscInt          order[ELEMENT_MAX_NODES];
   PetscReal         X[3 * ELEMENT_MAX_NODES], Y[3 * ELEMENT_MAX_NODES];
   PetscBool         finite;
 
   PetscFunctionBeginUser;
-  PetscCall(CellMapNodes_Private(list, body, cell, type, X, &finite));
+  PetscCall(CellMapNodes_Private(list, mapped->body, cell, type, X, &finite));
+  for (PetscInt e = 0; e < ElementNumEdges(type) && mapped->hung.num && finite; e++)
+    PetscCall(CellHangEdge_Private(mapped, cell, type, e, X));
   for (PetscInt k = 0; k < ElementNumNodes(type); k++) order[k] = k;
-  if (reversed) CellReverse(type, order);
+  if (mapped->tree->reversed) CellReverse(type, order);
   for (PetscInt k = 0; k < ElementNumNodes(type); k++)
     PetscCall(PetscArraycpy(&Y[k * list->dim], &X[order[k] * list->dim], list->dim));
   *jacobian = finite ? ElementMinJacobian(type, Y) : 1; // the user error is that of the level's nodes
@@ -144,13 +185,14 @@ static PetscErrorCode CellMinJacobian_Private(const BodyList *list, const SceneB
 /* Finds whether the map turns most cells inside out. */
 static PetscErrorCode TreeSetSense_Private(Tree *tree, const SceneBody *body)
 {
-  PetscInt num = 0;
+  const MappedList mapped = {.tree = tree, .list = &tree->list, .body = body};
+  PetscInt         num    = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < tree->list.num_cells && body->map; c++) {
     PetscReal jacobian;
 
-    PetscCall(CellMinJacobian_Private(&tree->list, body, c, PETSC_FALSE, &jacobian));
+    PetscCall(CellMinJacobian_Private(&mapped, c, &jacobian));
     num += jacobian < 0 ? 1 : -1;
   }
   tree->reversed = (PetscBool)(num > 0);
@@ -159,7 +201,9 @@ static PetscErrorCode TreeSetSense_Private(Tree *tree, const SceneBody *body)
 
 PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree)
 {
-  const PetscInt num = list->dim + 1;
+  const PetscBool kept =
+      (PetscBool)(list->num_cells && ElementLinear((ElementType)list->cell_type[0]) == ELEMENT_QUAD4);
+  const PetscInt num = kept ? 4 : list->dim + 1;
   PetscInt      *cells, *facets;
   PetscReal     *coords;
 
@@ -171,10 +215,13 @@ PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, Bo
   for (PetscInt c = 0; c < tree->list.num_cells; c++) {
     for (PetscInt i = 0; i < num; i++) cells[c * num + i] = tree->list.cell_nodes[c * ELEMENT_MAX_NODES + i];
   }
-  PetscCall(TreeNumberFacets_Private(tree, facets));
+  PetscCall(TreeNumberFacets_Private(tree, num, facets));
   PetscCall(BodyListMapVertices(&tree->list, &scene->bodies[body], coords));
-  PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets, coords,
-                            &tree->mesh));
+  if (kept)
+    PetscCall(SplitCreate(tree->list.num_vertices, tree->list.num_cells, cells, facets, &tree->mesh));
+  else
+    PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets, coords,
+                              &tree->mesh));
   PetscCall(PetscFree3(cells, facets, coords));
   PetscCall(TreeArcsCreate(scene, body, names, tree));
   PetscCall(TreeSetSense_Private(tree, &scene->bodies[body]));
@@ -192,6 +239,11 @@ PetscErrorCode TreeDestroy(Tree *tree)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscBool TreeIsKept(const Tree *tree)
+{
+  return (PetscBool)(tree->mesh.corners > tree->mesh.dim + 1);
+}
+
 /* A cell and its parent: vertices of both in the order of their elements, and those of the parent in the
    order of the bisection. */
 typedef struct {
@@ -205,7 +257,7 @@ static void ChildNodePlace_Private(const Child *child, ElementType type, PetscIn
 {
   const Bisection  *mesh   = child->mesh;
   const ElementType linear = ElementLinear(type);
-  const PetscInt    num    = mesh->dim + 1;
+  const PetscInt    num    = mesh->corners;
   PetscReal         phi[ELEMENT_MAX_NODES];
 
   ElementShape(linear, ElementNode(type, node), phi, NULL);
@@ -249,7 +301,7 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < mesh->num_cells; c++)
-    node += ElementNumNodes((ElementType)old->cell_type[mesh->parent[c]]) - (dim + 1);
+    node += ElementNumNodes((ElementType)old->cell_type[mesh->parent[c]]) - mesh->corners;
   *list              = *old;
   list->num_cells    = mesh->num_cells;
   list->num_vertices = mesh->num_vertices;
@@ -268,7 +320,7 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
     PetscInt *nodes = &list->cell_nodes[c * ELEMENT_MAX_NODES];
 
     list->cell_type[c] = type;
-    for (PetscInt k = 0; k < ElementNumNodes(type); k++) nodes[k] = k <= dim ? mesh->vertex[c][k] : node++;
+    for (PetscInt k = 0; k < ElementNumNodes(type); k++) nodes[k] = k < mesh->corners ? mesh->vertex[c][k] : node++;
     if (BisectionIsTurned(mesh, c)) { // all cells of a body have the same sense
       nodes[dim - 1] = mesh->vertex[c][dim];
       nodes[dim]     = mesh->vertex[c][dim - 1];
@@ -285,25 +337,28 @@ static PetscErrorCode TreeList_Private(Tree *tree, const BodyList *old, BodyList
 static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody *body, const BodyList *list,
                                               PetscInt marked[], PetscBool *any)
 {
-  const Bisection *mesh = &tree->mesh;
+  const Bisection *mesh   = &tree->mesh;
+  MappedList       mapped = {.tree = tree, .list = list, .body = body};
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
+  PetscCall(TreeGetHung(tree, &mapped.hung));
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     PetscBool same;
     PetscReal jacobian;
 
     marked[c] = 0;
-    PetscCall(PetscArraycmp(mesh->vertex[c], tree->before[mesh->parent[c]], mesh->dim + 1, &same));
+    PetscCall(PetscArraycmp(mesh->vertex[c], tree->before[mesh->parent[c]], mesh->corners, &same));
     if (same) continue;
-    PetscCall(CellMinJacobian_Private(list, body, c, tree->reversed, &jacobian));
+    PetscCall(CellMinJacobian_Private(&mapped, c, &jacobian));
     marked[c] = jacobian <= 0;
     *any      = (PetscBool)(*any || marked[c]);
   }
+  PetscCall(EdgeTableDestroy(&mapped.hung));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Bisects tangled cells again: smaller cells of a curve are closer to straight ones. */
+/* Refines tangled cells again: smaller cells of a curve are closer to straight ones. */
 static PetscErrorCode TreeUntangle_Private(Tree *tree, const SceneBody *body, BodyList *list)
 {
   PetscBool any = PETSC_TRUE;
@@ -315,7 +370,7 @@ static PetscErrorCode TreeUntangle_Private(Tree *tree, const SceneBody *body, Bo
     PetscCall(TreeMarkTangled_Private(tree, body, list, marked, &any));
     if (any) {
       PetscCall(BodyListDestroy(list));
-      PetscCall(BisectionRefineMore(&tree->mesh, marked));
+      PetscCall(TreeIsKept(tree) ? SplitRefineMore(&tree->mesh, marked) : BisectionRefineMore(&tree->mesh, marked));
       PetscCall(TreeList_Private(tree, &tree->list, list));
     }
     PetscCall(PetscFree(marked));
@@ -332,7 +387,7 @@ PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscInt mark
   tree->num_before = tree->mesh.num_cells;
   PetscCall(PetscMalloc1(tree->num_before, &tree->before));
   PetscCall(PetscArraycpy(tree->before, tree->mesh.vertex, tree->num_before));
-  PetscCall(BisectionRefine(&tree->mesh, marked));
+  PetscCall(TreeIsKept(tree) ? SplitRefine(&tree->mesh, marked) : BisectionRefine(&tree->mesh, marked));
   PetscCall(TreeList_Private(tree, &tree->list, &list));
   if (body->map || list.curved_file || tree->arcs.any) PetscCall(TreeUntangle_Private(tree, body, &list));
   PetscCall(BodyListDestroy(&tree->list));

@@ -1,4 +1,4 @@
-/* forest.h -- bodies whose cells are bisected: lists of cells on the first rank. Private to this module.
+/* forest.h -- bodies whose cells are bisected or split: lists of cells on the first rank. Private.
 
    A forest has the latest mesh as lists, in the order of its bisection, and the cells and global nodes of the
    latest level. From marked cells it makes the lists of the next mesh. Functions of a Tree are not
@@ -9,7 +9,7 @@
 #include "kernel/bisect.h"
 #include "mesh/meshimpl.h"
 
-enum { FOREST_MAX_NODES = 10 }; /* of a tetrahedron of order 2 */
+enum { FOREST_MAX_NODES = 10 }; /* of a tetrahedron of order 2; nine of a quadrilateral */
 
 /* What the first rank knows of a cell of a level. */
 typedef struct {
@@ -17,6 +17,7 @@ typedef struct {
   PetscInt vertex[BISECT_MAX_VERTICES];   /* in the lists of all bodies, in the order of the level */
   PetscInt type, nodes[FOREST_MAX_NODES]; /* global nodes of the level */
   PetscInt age;                           /* Level.cell_age */
+  PetscInt inner; /* bits of its facets, in the order of the level: beside hanging nodes, in the body */
 } ForestCell;
 
 /* A vertex on a facet of the first list, where that belongs to a smooth side or to a side fixed along its
@@ -64,22 +65,33 @@ struct _n_MeshForest {
 };
 typedef struct _n_MeshForest *MeshForest;
 
-/* Takes over the lists; quadrilaterals and hexahedra are cut into simplices. Collective.
+/* Takes over the lists; quadrilaterals and hexahedra are cut into simplices, unless they are kept.
+   Collective.
    [in,out] lists, names - of the first rank, empty afterwards [num_bodies] */
 PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[], MeshForest *forest);
 PetscErrorCode MeshForestDestroy(MeshForest *forest);
 /* The DM of the latest lists, all of it on the first rank. Collective.
    [out] dm, curves - owned by the caller */
 PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *curves);
+/* Edges of cells whose middle hangs. [out] hung - the number of the edge in its cell behind corners times the
+   cell's, to be destroyed */
+PetscErrorCode TreeGetHung(const Tree *tree, EdgeTable *hung);
+/* The hung edge that an edge is a half of: its number there, or -1. [out] middle - which end hangs, 0 or 1 */
+PetscInt TreeFindHalf(const Tree *tree, const EdgeTable *hung, const PetscInt ends[2], PetscInt *middle);
+/* Which nodes of the latest level hang: level->conforming, level->inner. Moves them to the edges that they
+   hang on. Its cells are not reversed yet. Collective. */
+PetscErrorCode MeshForestSetHanging(MeshForest forest, Level *level);
 /* Gathers the cells and nodes of the level of the latest lists on the first rank. Collective.
    [in] origin - of PartitionDistribute() */
 PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[]);
 
-/* A body's tree of simplices. [in] names - of the list's sides; [in,out] list - of triangles or tetrahedra,
-   taken over, empty afterwards */
+/* A body's tree of simplices, or of quadrilaterals that are kept. [in] names - of the list's sides; [in,out]
+   list - taken over, empty afterwards */
 PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree);
 PetscErrorCode TreeDestroy(Tree *tree);
-/* Bisects; the list becomes that of the new mesh. Cells that curves tangle are bisected again, UNTANGLE_TIMES
+/* Whether its cells are split and keep their type. */
+PetscBool TreeIsKept(const Tree *tree);
+/* Refines; the list becomes that of the new mesh. Cells that curves tangle are refined again, UNTANGLE_TIMES
    at most.
    [in] body - of the tree; [in] marked - how often edges are halved [num_cells] */
 PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscInt marked[]);
@@ -95,6 +107,8 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list);
 void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const ForestCell *coarse,
                  PetscReal weights[]);
 
+/* Whether a list's cells can be split: all are quadrilaterals. */
+PetscBool BodyListCanSplit(const BodyList *list);
 /* Cuts quadrilaterals at their shorter diagonal, and hexahedra so that each face is cut at its lowest vertex:
    then neighbours match. [in,out] list; [out] cut - whether there were such cells */
 PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut);

@@ -78,6 +78,8 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscCall(PetscFree3(level->cell_start, level->cell_type, level->cell_body));
   PetscCall(PetscFree(level->cell_nodes));
   PetscCall(MatDestroy(&level->prolongation));
+  PetscCall(MatDestroy(&level->conforming));
+  PetscCall(PetscFree(level->inner));
   PetscCall(DMDestroy(&level->dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -35,11 +35,15 @@ typedef struct {
   /* Levels since MeshAdapt() bisected what the cell is a part of: 0 on the level that it made then,
      NOT_BISECTED where it never did [num_cells]; NULL where all cells are new. */
   PetscInt  *cell_age;
-  PetscReal *coords;       /* positions after the map [num_nodes][dim] */
+  PetscBool *inner;  /* facets of the DM in a body, beside hanging nodes, with a cell on one side alone; NULL where no
+                       node of the mesh hangs */
+  PetscReal *coords; /* positions after the map [num_nodes][dim] */
   PetscInt  *node_global;  /* [num_nodes] */
   PetscInt  *node_body;    /* [num_nodes] */
   Mat        prolongation; /* from node values of the next coarser level (AIJ): its shape functions at the nodes of
                               this one; NULL on the coarsest */
+  Mat        conforming;   /* from node values to those of a continuous function: hanging nodes, and no others, get the
+                     values that their edge has there; AIJ; NULL where no node of the mesh hangs */
   PetscReal *unmapped; /* positions before the map, kept where a file gives curved cells [num_nodes][dim]; else NULL */
   PetscInt   point_begin, point_end; /* points of the DM that may carry nodes: the vertices alone, or all */
   PetscInt  *point_node;             /* local node of each, -1 where there is none [point_end - point_begin] */
@@ -92,7 +96,8 @@ PetscErrorCode MeshSetUp(Mesh mesh);
    User errors: a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
 /* Appends one level, with a new partition: marked cells of the finest one are bisected dim times for each
-   mark, other cells until no node hangs. Cells that a map or a curve tangles are bisected again. The mesh
+   mark, other cells until no node hangs; cells that are kept are split for each mark, others until hanging
+   nodes hang on nodes that do not. Cells that a map or a curve tangles are refined again. The mesh
    does not depend on the number of ranks; pointers into mesh->levels stay valid. For meshes of scenes with
    -adapt. User errors: a degenerate or tangled cell. Collective.
    [in] marked - how often the edges of this rank's cells are halved [num_cells] */
@@ -127,6 +132,14 @@ PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v);
 /* Adds (ADD_VALUES) or maximises (MAX_VALUES) the values that ranks have for the same node at its owner, and
    sends the result to its ghosts. Collective. */
 PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
+/* A matrix between node values as one for bs values at each node. Collective.
+   [in] P - AIJ; [out] blocks - AIJ of block size bs, owned by the caller */
+PetscErrorCode LevelCreateBlocks(Mat P, PetscInt bs, Mat *blocks);
+/* Hanging nodes get the values of a continuous function; or the forces on them go to the ends of their edge:
+   the product with Level.conforming or its transpose. Without hanging nodes nothing happens. Collective.
+   [in] bs - values at each node; [in,out] v - ghosted, owned values count */
+PetscErrorCode LevelConform(Level *level, PetscInt bs, Vec v);
+PetscErrorCode LevelConformForces(Level *level, PetscInt bs, Vec v);
 /* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the
    tables. Collective. Owned by the caller. */
 PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);

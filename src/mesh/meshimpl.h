@@ -203,6 +203,8 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
 /* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out]
    shared - [end of the chart], freed by the caller */
 PetscErrorCode PointsMarkShared(DM dm, PetscBool **shared);
+/* The same, and facets beside hanging nodes. */
+PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared);
 /* Vertices of a cell, which are the first of its nodes. */
 PetscInt LevelNumVertices(const Level *level, PetscInt cell);
 

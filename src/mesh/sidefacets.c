@@ -87,7 +87,7 @@ PetscErrorCode LevelGetBoundary(const Level *level, PetscInt body, Facets *facet
   PetscBool *shared;
 
   PetscFunctionBeginUser;
-  PetscCall(PointsMarkShared(level->dm, &shared));
+  PetscCall(LevelMarkShared(level, &shared));
   PetscCall(DMPlexGetHeightStratum(level->dm, 0, &first, NULL));
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
   for (PetscInt pass = 0; pass < 2; pass++) {

@@ -149,6 +149,15 @@ static void BodyListAddPartFacets_Private(const BodyList *old, const PetscInt fi
   }
 }
 
+PetscBool BodyListCanSplit(const BodyList *list)
+{
+  PetscBool all = PETSC_TRUE;
+
+  for (PetscInt c = 0; c < list->num_cells; c++)
+    all = (PetscBool)(all && ElementLinear((ElementType)list->cell_type[c]) == ELEMENT_QUAD4);
+  return all;
+}
+
 PetscErrorCode BodyListCut(const SceneBody *body, BodyList *list, PetscBool *cut)
 {
   BodyList   old    = *list;

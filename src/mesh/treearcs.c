@@ -25,7 +25,7 @@ static PetscErrorCode TreeChooseFacets_Private(const Tree *tree, const SideNames
   if (joined) PetscCall(SideNamesAdd(&wanted, joined));
   PetscCall(PetscFree(joined));
   for (PetscInt c = 0; c < tree->mesh.num_cells; c++) {
-    for (PetscInt v = 0; v <= tree->mesh.dim; v++) {
+    for (PetscInt v = 0; v < tree->mesh.corners; v++) {
       const PetscInt first = tree->mesh.facet[c][v];
 
       for (PetscInt e = first; e >= 0; e = tree->another[e]) {
@@ -72,15 +72,16 @@ static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level
   facets->num = 0;
   for (PetscInt pass = 0; pass < 2; pass++) {
     for (PetscInt c = 0; c < num_cells; c++) {
-      for (PetscInt v = 0; v <= dim; v++) {
+      for (PetscInt v = 0; v < tree->mesh.corners; v++) {
         const PetscInt e = tree->mesh.facet[c][v];
         PetscInt       n = facets->num * F;
 
         if (e < 0 || (pass ? arcs->round[e] || !arcs->flat[e] : !arcs->round[e])) continue;
         facets->cell[facets->num] = c; // points of the DM: cells of one type, then vertices
         facets->type[facets->num] = dim == 2 ? ELEMENT_LINE2 : ELEMENT_TRI3;
-        for (PetscInt i = 0; i <= dim; i++) {
-          if (i != v) facets->nodes[n++] = PointGetNode(level, num_cells + tree->mesh.vertex[c][i]);
+        for (PetscInt i = 0; i < tree->mesh.corners; i++) {
+          if (TreeIsKept(tree) ? i == v || i == (v + 1) % tree->mesh.corners : i != v)
+            facets->nodes[n++] = PointGetNode(level, num_cells + tree->mesh.vertex[c][i]);
         }
         (*entry)[facets->num++] = e;
       }
@@ -143,8 +144,9 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
 /* Straight cells of order 2 in the place of those of order 1. */
 static PetscErrorCode BodyListRaise_Private(BodyList *list)
 {
-  const ElementType type = list->dim == 2 ? ELEMENT_TRI6 : ELEMENT_TET10;
-  const PetscInt    dim = list->dim, more = ElementNumNodes(type) - (dim + 1);
+  const ElementType linear = list->num_cells ? (ElementType)list->cell_type[0] : ELEMENT_TRI3;
+  const ElementType type   = ElementOfOrder(linear, 2);
+  const PetscInt    dim = list->dim, corners = ElementNumNodes(linear), more = ElementNumNodes(type) - corners;
   PetscInt          node = list->num_vertices;
   BodyList          high;
 
@@ -160,14 +162,16 @@ static PetscErrorCode BodyListRaise_Private(BodyList *list)
     PetscInt *nodes = &high.cell_nodes[c * ELEMENT_MAX_NODES];
 
     high.cell_type[c] = type;
-    PetscCall(PetscArraycpy(nodes, &list->cell_nodes[c * ELEMENT_MAX_NODES], dim + 1));
-    for (PetscInt e = 0; e < more; e++, node++) {
-      const PetscInt *ends = ElementEdgeNodes(type, e);
+    PetscCall(PetscArraycpy(nodes, &list->cell_nodes[c * ELEMENT_MAX_NODES], corners));
+    for (PetscInt k = corners; k < corners + more; k++, node++) {
+      PetscReal phi[ELEMENT_MAX_NODES];
 
-      nodes[dim + 1 + e] = node;
-      for (PetscInt d = 0; d < dim; d++)
-        high.coords[node * dim + d] =
-            (list->coords[nodes[ends[0]] * dim + d] + list->coords[nodes[ends[1]] * dim + d]) / 2;
+      nodes[k] = node;
+      ElementShape(linear, ElementNode(type, k), phi, NULL);
+      for (PetscInt d = 0; d < dim; d++) {
+        high.coords[node * dim + d] = 0;
+        for (PetscInt i = 0; i < corners; i++) high.coords[node * dim + d] += phi[i] * list->coords[nodes[i] * dim + d];
+      }
     }
   }
   high.num_nonmanifold = list->num_nonmanifold;
@@ -206,6 +210,21 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
   return ArcSumsToOffset(dim, sums, offset);
 }
 
+/* Puts the node in the middle of a quadrilateral where its edges have it: half of the sum of their middles
+   less a quarter of that of its corners. */
+static void QuadSetMiddle_Private(PetscInt dim, const PetscInt nodes[], PetscReal coords[])
+{
+  const PetscInt corners = ElementNumNodes(ELEMENT_QUAD4);
+
+  for (PetscInt d = 0; d < dim; d++) {
+    PetscReal *x = &coords[nodes[2 * corners] * dim + d];
+
+    *x = 0;
+    for (PetscInt i = 0; i < corners; i++)
+      *x += coords[nodes[corners + i] * dim + d] / 2 - coords[nodes[i] * dim + d] / 4;
+  }
+}
+
 /* Puts middle nodes of cells of order 2 on the curves of their edges. */
 static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
 {
@@ -214,16 +233,19 @@ static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
   for (PetscInt c = 0; c < list->num_cells; c++) {
     const ElementType type  = (ElementType)list->cell_type[c];
     const PetscInt   *nodes = &list->cell_nodes[c * ELEMENT_MAX_NODES];
+    PetscBool         any   = PETSC_FALSE;
 
-    for (PetscInt e = 0; e < ElementNumNodes(type) - (dim + 1); e++) {
+    for (PetscInt e = 0; e < ElementNumEdges(type) && ElementOrder(type) > 1; e++) {
       const PetscInt a = nodes[ElementEdgeNodes(type, e)[0]], b = nodes[ElementEdgeNodes(type, e)[1]];
       PetscReal      offset[3];
 
       if (!TreeArcsOffset_Private(tree, list->coords, a, b, offset)) continue;
+      any = PETSC_TRUE;
       for (PetscInt d = 0; d < dim; d++)
-        list->coords[nodes[dim + 1 + e] * dim + d] =
+        list->coords[nodes[tree->mesh.corners + e] * dim + d] =
             (list->coords[a * dim + d] + list->coords[b * dim + d]) / 2 + offset[d];
     }
+    if (any && type == ELEMENT_QUAD9) QuadSetMiddle_Private(dim, nodes, list->coords);
   }
 }
 
@@ -320,14 +342,15 @@ static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const 
   }
 }
 
-/* The corners of a new vertex. */
+/* The corners of a new vertex; the middle of a cell has none. */
 static PetscErrorCode TreeArcsAppend_Private(TreeArcs *arcs, PetscInt dim, const PetscReal coords[],
                                              const PetscInt ends[])
 {
   const PetscInt v = arcs->num_vertices++, begin = arcs->start[v];
-  const PetscInt most =
-      PetscMin(arcs->start[ends[0] + 1] - arcs->start[ends[0]], arcs->start[ends[1] + 1] - arcs->start[ends[1]]);
-  PetscInt num = 0;
+  const PetscInt most = ends[0] < 0 ? 0
+                                    : PetscMin(arcs->start[ends[0] + 1] - arcs->start[ends[0]],
+                                               arcs->start[ends[1] + 1] - arcs->start[ends[1]]);
+  PetscInt       num  = 0;
 
   PetscFunctionBeginUser;
   if (begin + most > arcs->room) {
@@ -353,7 +376,7 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list)
     PetscReal       offset[3];
 
     PetscCall(TreeArcsAppend_Private(arcs, dim, list->coords, ends));
-    if (!TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) continue;
+    if (ends[0] < 0 || !TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) continue;
     for (PetscInt d = 0; d < dim; d++)
       list->coords[v * dim + d] = (list->coords[ends[0] * dim + d] + list->coords[ends[1] * dim + d]) / 2 + offset[d];
   }

@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "problem/cellsums.h"
 #include "problem/coarsestiffness.h"
+#include "problem/conforming.h"
 
 /* Rows of P. */
 typedef struct {
@@ -93,7 +94,9 @@ PetscErrorCode CoarseStiffnessCreate(Level *coarse, Mat K, Mat P, Mat nodal, Mat
   }
   PetscCall(MatConvert(K, MATAIJ, MAT_INITIAL_MATRIX, &whole));
   PetscCall(MatPtAP(whole, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &C));
+  PetscCall(MatProductClear(C)); // it would keep its factors
   PetscCall(MatDestroy(&whole));
+  PetscCall(ConformingHold(coarse, C));
   PetscCall(StiffnessCreateOfMatrix(C, product));
   PetscCall(MatDestroy(&C));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -7,6 +7,7 @@
    C without its bulk modulus there, which multiplies the projected change of volume Pi div u instead
    (eq. 9.1). Expressions are evaluated at quadrature points; plain numbers once per material. */
 #include "base/compat.h"
+#include "problem/conforming.h"
 #include "problem/elasticity.h"
 #include "base/usererror.h"
 #include "kernel/wide.h"
@@ -382,6 +383,7 @@ PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
 {
   PetscFunctionBeginUser;
   if (K) PetscCall(ElasticityAssembleCells_Private(scene, level, K));
+  if (K) PetscCall(ConformingCreate(level, K));
   PetscCall(LevelCreateVec(level, level->dim, f));
   PetscCall(LoadsAssemble(scene, level, *f));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -230,6 +230,7 @@ PetscErrorCode LoadsAssemble(Scene scene, Level *level, Vec f)
   PetscCall(VecRestoreArray(local, &fa));
   PetscCall(VecGhostRestoreLocalForm(f, &local));
   PetscCall(LevelShareVec(f, ADD_VALUES));
+  PetscCall(LevelConformForces(level, level->dim, f));
   for (PetscInt i = 0; i < num; i++) {
     PetscCall(ExpressionCheck(level->comm, terms[i].value));
     PetscCall(LoadTermDestroy(&terms[i]));

@@ -351,6 +351,7 @@ PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u)
   else
     PetscCall(VecCopy(y, u));
   PetscCall(VecScale(u, vi->length));
+  PetscCall(LevelConform(vi->level, vi->level->dim, u)); // exactly, though solvers stop
   PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -115,13 +115,14 @@ PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, Dilata
 void VolumeStrainLockingText(Scene scene, PetscInt material, ElementType type, PetscReal poisson, char sentence[],
                              size_t len)
 {
-  const Expression  ratio  = SceneGetMaterial(scene, material)->poisson;
-  const char *const name   = scene->bodies[SceneMaterialBody(scene, material)].name;
-  const PetscBool   plane  = (PetscBool)(scene->dim == 2);
-  const PetscInt    order  = ElementOrder(type);
-  const PetscBool   higher = (PetscBool)(DilatationChoose(ElementOfOrder(type, 2), poisson) != DILATATION_LOCKS);
-  const char *const boxes  = plane ? "quadrilaterals" : "hexahedra", *const simplices =
-                                                                        plane ? "triangles" : "tetrahedra";
+  const Expression  ratio     = SceneGetMaterial(scene, material)->poisson;
+  const char *const name      = scene->bodies[SceneMaterialBody(scene, material)].name;
+  const PetscBool   plane     = (PetscBool)(scene->dim == 2);
+  const PetscInt    order     = ElementOrder(type);
+  const PetscBool   higher    = (PetscBool)(DilatationChoose(ElementOfOrder(type, 2), poisson) != DILATATION_LOCKS);
+  const PetscBool   cut       = (PetscBool)(plane && scene->adapt.on && !scene->adapt.kept);
+  const char *const boxes     = cut ? "quadrilaterals and -adapt_cells kept" : plane ? "quadrilaterals" : "hexahedra";
+  const char *const simplices = plane ? "triangles" : "tetrahedra";
 
   snprintf(
       sentence, len,

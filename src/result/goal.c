@@ -212,6 +212,7 @@ static PetscErrorCode GoalSetProbe_Private(const SceneProbe *probe, Goal *goal)
   PetscCall(VecRestoreArray(local, &to.sums));
   PetscCall(VecGhostRestoreLocalForm(goal->q, &local));
   PetscCall(LevelShareVec(goal->q, ADD_VALUES));
+  PetscCall(LevelConformForces(level, level->dim, goal->q));
   if (to.measure > 0) PetscCall(VecScale(goal->q, 1 / to.measure));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

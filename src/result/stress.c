@@ -141,8 +141,90 @@ static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sums over all ranks, divided by the volume where there is some. Collective. */
-static PetscErrorCode StressDivide_Private(const Level *level, Vec stress, Vec volume)
+/* Marks hanging nodes at which stresses are continuous: of one material, which their edge has as well.
+   Collective. [out] continuous - owned by the caller; NULL where no node hangs [num_owned] */
+static PetscErrorCode StressMarkContinuous_Private(Level *level, const NodeMaterials *at, PetscBool **continuous)
+{
+  const PetscScalar *edge;
+  PetscScalar       *material;
+  Vec                own, moved;
+
+  PetscFunctionBeginUser;
+  *continuous = NULL;
+  if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(level->num_owned, continuous));
+  PetscCall(LevelCreateVec(level, 1, &own));
+  PetscCall(VecGetArray(own, &material));
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    const PetscInt one = at->start ? at->material[at->start[a]] : 0;
+
+    material[a] = NodeMaterialsCount(at, a) == 1 ? (PetscReal)one : (PetscReal)NAN;
+  }
+  PetscCall(VecRestoreArray(own, &material));
+  PetscCall(VecDuplicate(own, &moved));
+  PetscCall(VecCopy(own, moved));
+  PetscCall(LevelConform(level, 1, moved));
+  PetscCall(VecGetArray(own, &material));
+  PetscCall(VecGetArrayRead(moved, &edge));
+  for (PetscInt a = 0; a < level->num_owned; a++) (*continuous)[a] = (PetscBool)(edge[a] == material[a]);
+  PetscCall(VecRestoreArrayRead(moved, &edge));
+  PetscCall(VecRestoreArray(own, &material));
+  PetscCall(VecDestroy(&moved));
+  PetscCall(VecDestroy(&own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The node in the middle of an edge of order 2 counts the small cells as well, which have a hanging node at
+   its place. Collective. [in,out] v - sums of bs values */
+static PetscErrorCode StressJoin_Private(const Level *level, const PetscBool continuous[], PetscInt bs, Vec v)
+{
+  PetscScalar *sums, *own;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(level->num_owned * bs, &own));
+  PetscCall(VecGetArray(v, &sums));
+  PetscCall(PetscArraycpy(own, sums, level->num_owned * bs));
+  PetscCall(VecRestoreArray(v, &sums));
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    const PetscInt  node = level->node_begin + a;
+    const PetscInt *columns;
+    PetscInt        num;
+
+    PetscCall(MatGetRow(level->conforming, node, &num, &columns, NULL));
+    if (continuous[a] && num == 1 && columns[0] != node)
+      PetscCall(VecSetValuesBlocked(v, 1, columns, &own[a * bs], ADD_VALUES));
+    PetscCall(MatRestoreRow(level->conforming, node, &num, &columns, NULL));
+  }
+  PetscCall(VecAssemblyBegin(v));
+  PetscCall(VecAssemblyEnd(v));
+  PetscCall(PetscFree(own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Continuous stresses at hanging nodes are those of the edge. Collective. */
+static PetscErrorCode StressConform_Private(Level *level, const PetscBool continuous[], Vec stress)
+{
+  const PetscScalar *edge;
+  PetscScalar       *a;
+  Vec                moved;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(stress, &moved));
+  PetscCall(VecCopy(stress, moved));
+  PetscCall(LevelConform(level, STRESSES, moved));
+  PetscCall(VecGetArrayRead(moved, &edge));
+  PetscCall(VecGetArray(stress, &a));
+  for (PetscInt i = 0; i < level->num_owned * STRESSES; i++)
+    if (continuous[i / STRESSES]) a[i] = edge[i];
+  PetscCall(VecRestoreArray(stress, &a));
+  PetscCall(VecRestoreArrayRead(moved, &edge));
+  PetscCall(VecDestroy(&moved));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sums over all ranks, divided by the volume where there is some. Collective.
+   [in] continuous - of StressMarkContinuous_Private(), or NULL */
+static PetscErrorCode StressDivide_Private(Level *level, const PetscBool continuous[], Vec stress, Vec volume)
 {
   const PetscReal *volumes;
   PetscReal       *sums;
@@ -150,6 +232,8 @@ static PetscErrorCode StressDivide_Private(const Level *level, Vec stress, Vec v
   PetscFunctionBeginUser;
   PetscCall(LevelShareVec(stress, ADD_VALUES));
   PetscCall(LevelShareVec(volume, ADD_VALUES));
+  if (continuous) PetscCall(StressJoin_Private(level, continuous, STRESSES, stress));
+  if (continuous) PetscCall(StressJoin_Private(level, continuous, 1, volume));
   PetscCall(VecGetArrayRead(volume, &volumes));
   PetscCall(VecGetArray(stress, &sums));
   for (PetscInt a = 0; a < level->num_owned; a++) {
@@ -157,6 +241,7 @@ static PetscErrorCode StressDivide_Private(const Level *level, Vec stress, Vec v
   }
   PetscCall(VecRestoreArray(stress, &sums));
   PetscCall(VecRestoreArrayRead(volume, &volumes));
+  if (continuous) PetscCall(StressConform_Private(level, continuous, stress));
   PetscCall(VecGhostUpdateBegin(stress, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostUpdateEnd(stress, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -164,10 +249,12 @@ static PetscErrorCode StressDivide_Private(const Level *level, Vec stress, Vec v
 
 PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, NodalStress *stress)
 {
-  Vec *volume;
+  PetscBool *continuous;
+  Vec       *volume;
 
   PetscFunctionBeginUser;
   PetscCall(NodeMaterialsCreate(scene, level, &stress->at));
+  PetscCall(StressMarkContinuous_Private(level, &stress->at, &continuous));
   PetscCall(PetscMalloc1(stress->at.most, &stress->value));
   PetscCall(PetscMalloc1(stress->at.most, &volume));
   for (PetscInt i = 0; i < stress->at.most; i++) {
@@ -176,10 +263,11 @@ PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, NodalStress *stres
   }
   PetscCall(StressAddCells_Private(scene, level, u, stress, volume));
   for (PetscInt i = 0; i < stress->at.most; i++) {
-    PetscCall(StressDivide_Private(level, stress->value[i], volume[i]));
+    PetscCall(StressDivide_Private(level, i ? NULL : continuous, stress->value[i], volume[i])); // alone: the first
     PetscCall(VecDestroy(&volume[i]));
   }
   PetscCall(PetscFree(volume));
+  PetscCall(PetscFree(continuous));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -205,6 +205,7 @@ typedef struct {
 /* Adaptive meshes. */
 typedef struct {
   PetscBool  on;
+  PetscBool  kept;      /* whether bodies of quadrilaterals keep them */
   PetscReal  tolerance; /* of the relative error in the energy norm; 0 where goals alone are asked for */
   PetscReal  marking;   /* the share of the squared estimate that marked cells have */
   PetscReal  max_unknowns;

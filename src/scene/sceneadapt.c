@@ -143,11 +143,28 @@ static PetscBool AdaptLacksMises_Private(Scene scene, PetscInt body)
   return PETSC_FALSE;
 }
 
+/* Reads whether quadrilaterals are kept, of -adapt and of -study adaptive. */
+static PetscErrorCode AdaptReadCells_Private(Scene scene)
+{
+  PetscInt choice = 0;
+  Option   cells;
+
+  PetscFunctionBeginUser;
+  if (!scene->adapt.on) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(OptionFind(scene, "-adapt_cells", NULL, NULL, &cells));
+  PetscCall(OptionGetChoice(&cells, &choice));
+  scene->adapt.kept = (PetscBool)(choice > 0);
+  if (scene->adapt.kept && scene->dim > 2)
+    PetscCall(OptionRaise(&cells, "cells are kept in the plane alone, and hexahedra are cut; omit the option"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SceneAdaptCheck(Scene scene)
 {
   const SceneAdapt *adapt = &scene->adapt;
 
   PetscFunctionBeginUser;
+  PetscCall(AdaptReadCells_Private(scene));
   for (PetscInt g = 0; g < adapt->num_goals; g++) {
     const SceneGoal  *goal  = &adapt->goals[g];
     const SceneProbe *probe = goal->kind == GOAL_PROBE ? &scene->probes[goal->owner] : NULL;

@@ -11,51 +11,6 @@
 #include "solve/cellprolongation.h"
 #include "solve/meshlevels.h"
 
-/* P (x) 1: the same for every component. */
-static PetscErrorCode MeshLevelsBlocks_Private(Mat P, PetscInt dim, Mat *blocks)
-{
-  PetscInt     begin, end, rows, columns, first, last, *start, *column, count = 0;
-  PetscScalar *value;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatGetOwnershipRange(P, &begin, &end));
-  PetscCall(MatGetLocalSize(P, &rows, &columns));
-  PetscCall(MatGetOwnershipRangeColumn(P, &first, &last));
-  for (PetscInt row = begin; row < end; row++) {
-    PetscInt num;
-
-    PetscCall(MatGetRow(P, row, &num, NULL, NULL));
-    count += dim * num;
-    PetscCall(MatRestoreRow(P, row, &num, NULL, NULL));
-  }
-  PetscCall(PetscMalloc3(dim * rows + 1, &start, count, &column, count, &value));
-  count    = 0;
-  start[0] = 0;
-  for (PetscInt row = begin; row < end; row++) {
-    PetscInt           num;
-    const PetscInt    *c;
-    const PetscScalar *v;
-
-    PetscCall(MatGetRow(P, row, &num, &c, &v));
-    for (PetscInt k = 0; k < dim; k++) {
-      for (PetscInt j = 0; j < num; j++) {
-        column[count]  = dim * c[j] + k;
-        value[count++] = v[j];
-      }
-      start[dim * (row - begin) + k + 1] = count;
-    }
-    PetscCall(MatRestoreRow(P, row, &num, &c, &v));
-  }
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)P), blocks));
-  PetscCall(MatSetSizes(*blocks, dim * rows, dim * columns, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetBlockSize(*blocks, dim));
-  PetscCall(MatSetType(*blocks, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*blocks, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*blocks, start, column, value));
-  PetscCall(PetscFree3(start, column, value));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* What fixed unknowns of the coarser level, which have their values, give to free ones of this one.
    [in] P - of all unknowns; [in] free - 1 for free unknowns, fine and coarse; [out] lift - NULL where the
    values are 0 */
@@ -152,7 +107,7 @@ static PetscErrorCode MeshLevelsCreateDisplacements_Private(MeshLevels levels, P
   const VI fine = levels->vi[l];
 
   PetscFunctionBeginUser;
-  PetscCall(MeshLevelsBlocks_Private(levels->P[l], fine->level->dim, P));
+  PetscCall(LevelCreateBlocks(levels->P[l], fine->level->dim, P));
   if (!least || MeshLevelsAreCut_Private(levels, l)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(CellProlongationApply(fine->scene, &fine->mesh->levels[levels->of[l - 1]], fine->level, fine->K, P));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/warning.h"
+#include "problem/elasticity.h"
 #include "study/costforecast.h"
 #include "study/envelope.h"
 #include "study/marking.h"
@@ -100,19 +101,36 @@ static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
   return adaptive->history->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
 }
 
-/* Prints a line for each body whose cells were cut, and the head of the table. Collective. */
+/* Prints a line for each body whose cells were cut. In the plane it says where that costs most.
+   Collective. */
+static PetscErrorCode AdaptivePrintCut_Private(Scene scene, Mesh mesh)
+{
+  const PetscBool  plane = (PetscBool)(scene->dim == 2);
+  DilatationCount *counts;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &counts));
+  PetscCall(ElasticityDilatationCount(scene, MeshFinest(mesh), counts));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    if (!MeshIsCut(mesh, b)) continue;
+    PetscCall(PetscPrintf(scene->comm, "  %s: its %s were cut into %s%s\n", scene->bodies[b].name,
+                          plane ? "quadrilaterals" : "hexahedra", plane ? "triangles" : "tetrahedra",
+                          plane && counts[b].poisson > 0 && !scene->adapt.kept
+                              ? "; it is nearly incompressible, and -adapt_cells kept takes far fewer unknowns"
+                              : ""));
+  }
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Prints what was cut, and the head of the table. Collective. */
 static PetscErrorCode AdaptivePrintHead_Private(const struct _n_Adaptive *adaptive, Mesh mesh)
 {
   const Scene scene = adaptive->scene;
 
   PetscFunctionBeginUser;
   if (adaptive->quiet) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    if (MeshIsCut(mesh, b))
-      PetscCall(PetscPrintf(scene->comm, "  %s: its %s were cut into %s\n", scene->bodies[b].name,
-                            scene->dim == 2 ? "quadrilaterals" : "hexahedra",
-                            scene->dim == 2 ? "triangles" : "tetrahedra"));
-  }
+  PetscCall(AdaptivePrintCut_Private(scene, mesh));
   PetscCall(
       PetscPrintf(scene->comm, "  mesh     cells  unknowns  sets  active  error in energy  potential energy  seconds"));
   for (PetscInt g = 0; g < scene->adapt.num_goals; g++)

@@ -7,7 +7,8 @@
 enum {
   MAX_ITEMS   = 8, /* largest number of items of an array */
   BAR_MESHES  = 4, /* differences of a bar: so many hardly agree by chance */
-  PEAK_MESHES = 3  /* increments of a largest pressure that are compared */
+  PEAK_MESHES = 3, /* increments of a largest pressure that are compared */
+  PEAK_SIZES  = 5  /* sizes of its facets that are compared */
 };
 
 static const PetscReal BAR_MARGIN = 1.25; /* factor of differences */
@@ -20,6 +21,9 @@ static const PetscReal STILL_GROWS = 0.8; /* least ratio of an increment to the 
    two equal bodies with a square edge it is -0.23, of a rigid punch -0.5. Facets are at most CORNER_FACET of
    the extent of contact, and at most CORNER_REFINED of those of the mesh before. */
 static const PetscReal CORNER_POWER = 0.2, CORNER_FACET = 0.1, CORNER_REFINED = 0.6;
+/* Least ratio of its growth over two halvings of facets to that over the two before: 0.25 if the error is of
+   order h, 1 if it is that of a logarithm. */
+static const PetscReal CORNER_GROWS = 0.6;
 
 /* The floor of a number: its least bar. */
 typedef enum {
@@ -158,6 +162,31 @@ static PetscBool BarsPressureIsCorner_Private(const BarHistory *history, const B
   return PETSC_TRUE;
 }
 
+/* Whether a largest pressure grows over the last sizes of its facets. Facets are not refined for each mesh,
+   and a mesh that refines the other side alone may lower it: the largest one of each size counts.
+   [in] path - of the pressure; [in] p - its pair */
+static PetscBool BarsPeakGrows_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
+{
+  const BarPath ends             = {path->section, path->owner, "extent", "lower"};
+  PetscReal     most[PEAK_SIZES] = {0}, size = 0, values[MAX_ITEMS], extent;
+  PetscInt      k = 0, num;
+  PetscBool     list;
+
+  for (PetscInt mesh = history->num - 1; mesh >= 0; mesh--) { // fine to coarse
+    const PetscReal peak = history->mesh[mesh].peak[p];
+
+    if (size > 0 && size <= CORNER_REFINED * peak) k++;
+    if (k == PEAK_SIZES) break;
+    if (k == 0 || size <= CORNER_REFINED * peak) size = peak;
+    most[k] = PetscMax(most[k], Q[mesh]);
+  }
+  if (k + 1 < PEAK_SIZES) return PETSC_FALSE;
+  num    = BarsRead_Private(history->mesh[history->num - 1].row, &ends, values, &list);
+  extent = BarsGetSize_Private(history->mesh[history->num - 1].row, path, FLOOR_PLACE, num, values);
+  return (PetscBool)(size > 0 && size <= CORNER_FACET * extent && most[0] - most[4] > GROWN * most[0] &&
+                     most[2] > most[4] && most[0] - most[2] > CORNER_GROWS * (most[2] - most[4]));
+}
+
 /* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as
    over the two before, and visibly. Cells around a probe are not bisected for each mesh, so single increments
    tell less. */
@@ -220,7 +249,9 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
     if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
     if (kind == FLOOR_STRESS && BarsStressGrows_Private(history->num, Q)) bars[i] = (PetscReal)NAN;
     if (grows)
-      *grows = (PetscBool)(BarsGrows_Private(history->num, Q) || BarsPressureIsCorner_Private(history, path, owner, Q));
+      *grows =
+          (PetscBool)(BarsGrows_Private(history->num, Q) || BarsPressureIsCorner_Private(history, path, owner, Q) ||
+                      BarsPeakGrows_Private(history, path, owner, Q));
     if (grows && *grows) bars[i] = (PetscReal)NAN;
   }
   PetscCall(PetscFree(Q));

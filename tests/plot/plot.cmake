@@ -13,6 +13,7 @@ mortise_scene_test(paths_solid SCENE patch3d CHECK paths.py RANKS 1 LONG_RANKS 2
 mortise_scene_test(colours SCENE patch2d CHECK colours.py)
 mortise_scene_test(temperature SCENE thermal_fit CHECK temperature.py)
 mortise_scene_test(detail SCENE hertz2d CHECK detail.py)
+mortise_scene_test(hanging SCENE two_plates CHECK hanging.py ARGS -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2 -adapt 1e-1 -adapt_cells kept)
 mortise_scene_test(view SCENE below CHECK view.py)
 mortise_scene_test(tidy_bolt SCENE bolt_quarter CHECK tidy.py)
 mortise_scene_test(tidy_fixture LONG SCENE fixture CHECK tidy.py)

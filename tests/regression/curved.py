@@ -49,7 +49,7 @@ def judge(run):
     areas = ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2
     require(areas.min() > 0, "the picture turns triangles over")
     near("area in the picture", areas.sum(), AREA_OUTER + AREA_INNER, relative=1e-4)
-    edges = plot.outlines_of(fields["cells"], fields["body"])[0]
+    edges = plot.outlines_of(fields["cells"], fields["body"], fields["points"])[0]
     inside = [edge for edge in edges.tolist() if np.allclose(np.hypot(*points[edge].T), 2)]
     between = [plot.bend(edge, halfway)[1] for edge in inside]
     near("radius of curved edges", np.hypot(*points[between].T), [2] * len(between), relative=1e-5)

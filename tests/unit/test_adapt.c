@@ -1,21 +1,23 @@
-/* test_adapt.c -- levels by bisection: sides, prolongation and numbers, on any number of ranks. */
+/* test_adapt.c -- levels by bisection and by splitting: sides, prolongation and numbers, on any number of ranks. */
+#include "mesh/meshimpl.h"
 #include "mesh_scene.h"
 #include <math.h>
 #include <stdint.h>
 
 /* Two boxes, one with a map, of a dimension and an order. */
-static Mesh MakeMesh(TestScene *t, PetscInt dim, PetscInt order)
+static Mesh MakeMesh(TestScene *t, PetscInt dim, PetscInt order, PetscBool kept)
 {
   TestSceneInit(t);
-  t->scene.dim      = dim;
-  t->scene.adapt.on = PETSC_TRUE;
+  t->scene.dim        = dim;
+  t->scene.adapt.on   = PETSC_TRUE;
+  t->scene.adapt.kept = kept;
   for (PetscInt b = 0; b < 2; b++) {
     SceneBody *body = TestSceneAddBox(t, b ? "lower" : "upper", 2 + b, 2, 0, -b, 1, 1 - b);
 
     body->order    = order;
     body->faces[2] = 1;
     body->upper[2] = 1;
-    body->simplex  = (PetscBool)(b == 0); // the other one has quads or hexahedra, which are cut
+    body->simplex  = (PetscBool)(b == 0); // the other one has quads or hexahedra, which are cut or kept
   }
   TestSceneAddPair(t, "joint", 0, dim == 2 ? "bottom" : "front", 1, dim == 2 ? "top" : "back");
   return TestSceneMesh(t);
@@ -111,8 +113,9 @@ static void Adapt(Mesh mesh, const PetscReal place[])
   CHECK(!PetscFree(marked));
 }
 
-/* What was counted on one rank. [dim][order-1][nodes, cells] */
-static const PetscInt Expected[4][2][2] = {[2] = {{60, 88}, {206, 88}}, [3] = {{236, 862}, {1460, 862}}};
+/* What was counted on one rank. [kept][dim][order-1][nodes, cells] */
+static const PetscInt Expected[2][4][2][2] = {{[2] = {{60, 88}, {206, 88}}, [3] = {{236, 862}, {1460, 862}}},
+                                              {[2] = {{60, 82}, {206, 82}}}};
 
 static uint64_t Mix(uint64_t h)
 {
@@ -126,7 +129,7 @@ static uint64_t CellNumber(const Level *level, PetscInt cell)
 {
   uint64_t sum = 0;
 
-  for (PetscInt i = 0; i <= level->dim; i++) {
+  for (PetscInt i = 0; i < ElementNumNodes(ElementLinear((ElementType)level->cell_type[cell])); i++) {
     uint64_t vertex = 1;
 
     for (PetscInt d = 0; d < level->dim; d++) {
@@ -151,13 +154,52 @@ static uint64_t MeshNumber(const Level *level)
 
 enum { NUM_MARKINGS = 4 };
 
-/* Random markings: what they are depends on places alone, and so do the meshes, of both orders. [dim] */
-static const uint64_t Random[4] = {[2] = 0xAAABE1246C1CB5A7U, [3] = 0x2B6930710CE323E1U};
+/* Hanging nodes have the values of polynomials, and forces on them have the same work after they moved. The
+   facets beside them are no boundary. */
+static void CheckHanging(Level *level, Scene scene, PetscInt order)
+{
+  Vec         v, f, moved;
+  PetscScalar work[2];
+  PetscReal   error;
 
-static void TestRandom(PetscInt dim, PetscInt order)
+  CHECK(level->inner);
+  v = Interpolate(level, order);
+  CHECK(!VecDuplicate(v, &moved));
+  CHECK(!VecDuplicate(v, &f));
+  CHECK(!VecCopy(v, moved));
+  CHECK(!LevelConform(level, 1, moved));
+  CHECK(!VecAXPY(moved, -1, v));
+  CHECK(!VecNorm(moved, NORM_INFINITY, &error));
+  CHECK_NEAR(error, 0, 1e-13);
+  CHECK(!VecCopy(v, f));
+  CHECK(!VecShift(f, 1));
+  CHECK(!VecDot(f, v, &work[0]));
+  CHECK(!LevelConformForces(level, 1, f));
+  CHECK(!VecDot(f, v, &work[1]));
+  CHECK_NEAR(work[1] / work[0], 1, 1e-13);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    Facets    facets;
+    PetscReal length;
+
+    CHECK(!LevelGetBoundary(level, b, &facets));
+    length = FacetsMeasure(level, &facets);
+    CHECK(!MPI_Allreduce(MPI_IN_PLACE, &length, 1, MPIU_REAL, MPI_SUM, level->comm));
+    CHECK_NEAR(length, 4, 1e-13);
+    CHECK(!FacetsDestroy(&facets));
+  }
+  CHECK(!VecDestroy(&v));
+  CHECK(!VecDestroy(&f));
+  CHECK(!VecDestroy(&moved));
+}
+
+/* Random markings: what they are depends on places alone, and so do the meshes, of both orders. [kept][dim] */
+static const uint64_t Random[2][4] = {{[2] = 0xAAABE1246C1CB5A7U, [3] = 0x2B6930710CE323E1U},
+                                      {[2] = 0x5A728DE374EA6AF6U}};
+
+static void TestRandom(PetscInt dim, PetscInt order, PetscBool kept)
 {
   TestScene t;
-  Mesh      mesh   = MakeMesh(&t, dim, order);
+  Mesh      mesh   = MakeMesh(&t, dim, order, kept);
   uint64_t  number = 0;
 
   for (PetscInt step = 0; step < NUM_MARKINGS; step++) {
@@ -170,18 +212,20 @@ static void TestRandom(PetscInt dim, PetscInt order)
     CHECK(!MeshAdapt(mesh, marked));
     CHECK(!PetscFree(marked));
     CheckSides(MeshFinest(mesh), &t.scene);
+    if (MeshFinest(mesh)->conforming) CheckHanging(MeshFinest(mesh), &t.scene, order);
     number = Mix(number + MeshNumber(MeshFinest(mesh)));
   }
-  CHECK(number == Random[dim]);
+  CHECK(number == Random[kept][dim]);
+  CHECK((MeshFinest(mesh)->conforming != NULL) == kept);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
 
-static void TestMesh(PetscInt dim, PetscInt order)
+static void TestMesh(PetscInt dim, PetscInt order, PetscBool kept)
 {
   const PetscReal place[] = {0, 0, 0};
   TestScene       t;
-  Mesh            mesh = MakeMesh(&t, dim, order);
+  Mesh            mesh = MakeMesh(&t, dim, order, kept);
   PetscInt        cells;
 
   for (PetscInt step = 0; step < 3; step++) {
@@ -191,8 +235,8 @@ static void TestMesh(PetscInt dim, PetscInt order)
   }
   cells = MeshFinest(mesh)->num_cells;
   CHECK(!MPI_Allreduce(MPI_IN_PLACE, &cells, 1, MPIU_INT, MPI_SUM, MPI_COMM_WORLD));
-  CHECK(MeshFinest(mesh)->num_global == Expected[dim][order - 1][0]);
-  CHECK(cells == Expected[dim][order - 1][1]);
+  CHECK(MeshFinest(mesh)->num_global == Expected[kept][dim][order - 1][0]);
+  CHECK(cells == Expected[kept][dim][order - 1][1]);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
@@ -202,9 +246,13 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (PetscInt dim = 2; dim <= 3; dim++) {
     for (PetscInt order = 1; order <= 2; order++) {
-      TestMesh(dim, order);
-      TestRandom(dim, order);
+      TestMesh(dim, order, PETSC_FALSE);
+      TestRandom(dim, order, PETSC_FALSE);
     }
+  }
+  for (PetscInt order = 1; order <= 2; order++) {
+    TestMesh(2, order, PETSC_TRUE);
+    TestRandom(2, order, PETSC_TRUE);
   }
   PetscCall(PetscFinalize());
   return 0;

@@ -1,4 +1,4 @@
-/* test_adaptpatch.c -- patch tests on adapted meshes: where the space holds the solution, cells bisected at random change nothing in it, the
+/* test_adaptpatch.c -- patch tests on adapted meshes: where the space holds the solution, cells bisected or split at random change nothing in it, the
    estimate is rounding, and the certificate holds on every mesh; on any number of ranks. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
@@ -135,7 +135,7 @@ static void CheckExact(Run run)
   CHECK_NEAR(PetscSqrtReal(estimate->squared / estimate->norm), 0, 1e-10);
 }
 
-static void TestScene(const char *const options[], const char order[])
+static void TestScene(const char *const options[], const char order[], PetscBool kept)
 {
   Scene    scene;
   Mesh     mesh;
@@ -146,9 +146,12 @@ static void TestScene(const char *const options[], const char order[])
   SetOptions(Common);
   SetOptions(options);
   CHECK(!PetscOptionsSetValue(NULL, "-order", order));
+  CHECK(!PetscOptionsSetValue(NULL, "-upper_dm_plex_simplex", kept ? "0" : "1"));
+  CHECK(!PetscOptionsSetValue(NULL, "-lower_dm_plex_simplex", kept ? "0" : "1"));
   CHECK(!SceneCreate(PETSC_COMM_WORLD, &scene));
   CHECK(!SceneSetFromOptions(scene));
-  scene->adapt.on = PETSC_TRUE;
+  scene->adapt.on   = PETSC_TRUE;
+  scene->adapt.kept = kept;
   CHECK(!MeshCreate(scene, &mesh));
   CHECK(!MeshSetUp(mesh));
   CHECK(!RunCreate(scene, mesh, NULL, &run));
@@ -165,6 +168,7 @@ static void TestScene(const char *const options[], const char order[])
     CheckExact(run);
   }
   last = MeshFinest(mesh)->num_global;
+  CHECK((MeshFinest(mesh)->conforming != NULL) == kept);
   CHECK(last > 4 * first);
   CHECK(!RunDestroy(&run));
   CHECK(!MeshDestroy(&mesh));
@@ -175,10 +179,12 @@ int main(int argc, char **argv)
 {
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCall(PDASRegister());
-  TestScene(Plane, "1");
-  TestScene(Plane, "2");
-  TestScene(Space, "1");
-  TestScene(Space, "2");
+  TestScene(Plane, "1", PETSC_FALSE);
+  TestScene(Plane, "2", PETSC_FALSE);
+  TestScene(Plane, "1", PETSC_TRUE);
+  TestScene(Plane, "2", PETSC_TRUE);
+  TestScene(Space, "1", PETSC_FALSE);
+  TestScene(Space, "2", PETSC_FALSE);
   PetscCall(PetscFinalize());
   return 0;
 }
