@@ -152,7 +152,7 @@ static PetscErrorCode StressMarkContinuous_Private(Level *level, const NodeMater
   PetscFunctionBeginUser;
   *continuous = NULL;
   if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc1(level->num_owned, continuous));
+  PetscCall(PetscMalloc1(level->num_owned + 1, continuous)); // not NULL where a rank has no nodes
   PetscCall(LevelCreateVec(level, 1, &own));
   PetscCall(VecGetArray(own, &material));
   for (PetscInt a = 0; a < level->num_owned; a++) {
