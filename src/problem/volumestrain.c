@@ -112,6 +112,19 @@ PetscErrorCode ElasticityDilatationCount(Scene scene, const Level *level, Dilata
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ElasticityGetOrders(Scene scene, const Level *level, PetscInt order[])
+{
+  DilatationCount *counts;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &counts));
+  PetscCall(ElasticityDilatationCount(scene, level, counts));
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    order[b] = counts[b].cells[DILATATION_MEAN] ? 1 : scene->bodies[b].order;
+  PetscCall(PetscFree(counts));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 void VolumeStrainLockingText(Scene scene, PetscInt material, ElementType type, PetscReal poisson, char sentence[],
                              size_t len)
 {

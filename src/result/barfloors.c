@@ -201,7 +201,7 @@ static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *
     ElementRuleSet(type, 2 * ElementOrder(type), rule);
     PetscCall(CellStressSet(level->scene, level, c, &rules[type], u, &cell));
     for (PetscInt q = 0; q < rule->num; q++) {
-      PetscCall(CellStressAtPoint(level->scene, &cell, rule, q, stress, &det));
+      PetscCall(CellStressAtPoint(level->scene, &cell, rule, q, stress, &det, NULL));
       for (PetscInt k = 0; k < CELL_STRESSES; k++) {
         for (PetscInt i = 0; i < n; i++)
           stress[k] -= rule->phi[q * n + i] * PetscRealPart(NodalStressAt(&recovered, nodes[i], cell.material)[k]);

@@ -1,6 +1,7 @@
 /* calibration.c -- theta, from the decrease of the energy by refinement. */
 #include "result/calibration.h"
 #include "base/compat.h"
+#include "problem/elasticity.h"
 
 enum {
   NUM_RATIOS = 3, /* the standard, and those of the latest two pairs of meshes */
@@ -12,19 +13,24 @@ static const PetscReal LEAST_FALL =
     0.4; /* of eta^2, from one mesh to the next: below, the ratio of two differences is noise */
 
 /* Measured on scenes whose solutions are known. */
-static PetscReal CalibrationOfType_Private(ElementType type)
+static PetscReal CalibrationOfOrder_Private(PetscInt order, PetscInt dim)
 {
-  if (ElementOrder(type) == 1) return 1.05;
-  return ElementDim(type) == 3 ? 1.25 : 1.35;
+  if (order == 1) return 1.05;
+  return dim == 3 ? 1.25 : 1.35;
 }
 
 PetscErrorCode CalibrationGetStandard(const Level *level, PetscReal *theta)
 {
+  const Scene scene = level->scene;
+  PetscInt   *order;
+
   PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &order));
+  PetscCall(ElasticityGetOrders(scene, level, order));
   *theta = 0;
-  for (PetscInt c = 0; c < level->num_cells; c++)
-    *theta = PetscMax(*theta, CalibrationOfType_Private((ElementType)level->cell_type[c]));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, theta, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    *theta = PetscMax(*theta, CalibrationOfOrder_Private(order[b], level->dim));
+  PetscCall(PetscFree(order));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -35,12 +41,14 @@ static PetscReal CalibrationMeasure_Private(PetscInt num, const CalibrationMesh 
   PetscInt  found             = 1;
 
   for (PetscInt k = num - 1; k > 0 && found < NUM_RATIOS; k--) {
-    const PetscReal fall = mesh[k - 1].squared - mesh[k].squared;
-    PetscInt        i    = found;
+    const PetscReal fall   = mesh[k - 1].squared - mesh[k].squared;
+    const PetscReal gained = mesh[k - 1].energy - mesh[k].energy;
+    PetscInt        i      = found;
     PetscReal       theta;
 
     if (!(fall >= LEAST_FALL * mesh[k].squared)) continue;
-    theta = PetscSqrtReal(PetscMax(0, (mesh[k - 1].energy - mesh[k].energy) / fall));
+    if (PetscAbsReal(mesh[k - 1].lost - mesh[k].lost) > PetscAbsReal(gained)) continue;
+    theta = PetscSqrtReal(PetscMax(0, gained / fall));
     for (; i > 0 && ratio[i - 1] > theta; i--) ratio[i] = ratio[i - 1];
     ratio[i] = theta;
     found++;

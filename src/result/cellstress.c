@@ -26,16 +26,18 @@ static void CellStressTakeStrain_Private(PetscInt dim, PetscInt num_strains, con
 }
 
 /* sigma = C (eps - eps_0) + bulk (theta - theta_0 - tr (eps - eps_0)) 1. [in] strain - eps - eps_0; [in,out]
-   C - loses its bulk modulus */
+   C - loses its bulk modulus; [out] lost - div u - theta */
 static void CellStressAddPressure_Private(PetscInt num_strains, const CellStress *cell, const PetscReal x[],
-                                          PetscReal C[], const PetscReal strain[], PetscReal stress[])
+                                          PetscReal C[], const PetscReal strain[], PetscReal stress[], PetscReal *lost)
 {
   PetscReal change, q[DILATATION_MAX_FUNCTIONS];
 
+  *lost = 0;
   if (!cell->pi.num) return;
   change = DilatationEvaluate(&cell->pi, x, cell->u) - MaterialDilatation(num_strains, strain);
   DilatationShape(&cell->pi, x, q);
   for (PetscInt a = 0; a < cell->pi.num; a++) change -= q[a] * cell->parts[a];
+  *lost = -change;
   change *= MaterialTakeBulk(num_strains, C);
   for (PetscInt k = 0; k < 3; k++) stress[k] += change;
 }
@@ -61,12 +63,12 @@ PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const 
 }
 
 PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const ElementRule *rule, PetscInt q,
-                                 PetscReal stress[CELL_STRESSES], PetscReal *det)
+                                 PetscReal stress[CELL_STRESSES], PetscReal *det, PetscReal *lost)
 {
   const PetscInt  dim = scene->dim, n = ElementNumNodes(rule->type), num_strains = MaterialNumStrains(scene->model);
   const PetscBool ring = (PetscBool)(scene->model == MODEL_AXISYMMETRIC);
   PetscReal       H[CELL_MAX_DIM * CELL_MAX_DIM], x[CELL_MAX_DIM], C[MAX_STRAINS * MAX_STRAINS], strain[MAX_STRAINS];
-  PetscReal       hoop = 0.0, poisson;
+  PetscReal       hoop = 0.0, poisson, change;
   Eigenstrain     e;
 
   PetscFunctionBeginUser;
@@ -82,7 +84,8 @@ PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const Elem
   for (PetscInt s = 0; s < num_strains; s++) strain[s] -= e.strain[s];
   MaterialStress(scene->model, C, poisson, strain, stress);
   stress[2] -= e.across;
-  CellStressAddPressure_Private(num_strains, cell, x, C, strain, stress);
+  CellStressAddPressure_Private(num_strains, cell, x, C, strain, stress, &change);
+  if (lost) *lost = change;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -22,9 +22,10 @@ typedef struct {
 PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const ElementRule *stiffness,
                              const PetscScalar u[], CellStress *cell);
 /* sigma = C (eps - eps_0) at point q of a rule, xx,yy,zz,yz,xz,xy; the change of volume is that of eq. 9.1.
-   Not collective. [out] det - det J there */
+   Not collective. [out] det - det J there; lost - div u - theta, which has no energy; 0 for plain cells;
+   optional, may be NULL */
 PetscErrorCode CellStressAtPoint(Scene scene, const CellStress *cell, const ElementRule *rule, PetscInt q,
-                                 PetscReal stress[CELL_STRESSES], PetscReal *det);
+                                 PetscReal stress[CELL_STRESSES], PetscReal *det, PetscReal *lost);
 
 /* t = s n. Not collective. [in] stress - xx,yy,zz,yz,xz,xy; [in] n - [dim]; [out] t - [dim] */
 void CellStressTraction(PetscInt dim, const PetscScalar stress[], const PetscReal n[], PetscReal t[]);

@@ -31,34 +31,40 @@ typedef struct {
   Compliance       *compliance; /* borrowed */
 } CellSources;
 
-/* int_T (s* - s) : C^-1 : (s* - s). [in] cell - its displacements */
+/* Integrals over a cell. */
+typedef struct {
+  PetscReal squared, volume; /* (s* - s) : C^-1 : (s* - s), 1 */
+  PetscReal lost;            /* -2 (p* - p) (div u - theta): p of the cell is in Q, or nearly, and has no part in it */
+} CellIntegrals;
+
+/* [in] cell - its displacements; [out] sum - of cell c */
 static PetscErrorCode EstimateOfCell_Private(const Level *level, PetscInt c, const CellStress *cell,
-                                             const ElementRule *rule, const CellSources *sources, PetscReal *squared,
-                                             PetscReal *volume)
+                                             const ElementRule *rule, const CellSources *sources, CellIntegrals *sum)
 {
   const Scene        scene = level->scene;
   const PetscInt     dim = level->dim, n = ElementNumNodes(rule->type);
   const PetscInt    *nodes = &level->cell_nodes[level->cell_start[c]];
   const PetscReal   *L;
   const PetscScalar *nodal[ELEMENT_MAX_NODES];
-  PetscReal          stress[CELL_STRESSES], det;
+  PetscReal          stress[CELL_STRESSES], det, change;
 
   PetscFunctionBeginUser;
-  *squared = *volume = 0;
+  *sum = (CellIntegrals){0, 0, 0};
   for (PetscInt i = 0; i < n; i++) nodal[i] = NodalStressAt(&sources->recovered, nodes[i], cell->material);
   for (PetscInt q = 0; q < rule->num; q++) {
     const PetscReal *phi  = &rule->phi[q * n];
     PetscReal        x[3] = {0, 0, 0};
 
-    PetscCall(CellStressAtPoint(scene, cell, rule, q, stress, &det));
+    PetscCall(CellStressAtPoint(scene, cell, rule, q, stress, &det, &change));
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt k = 0; k < dim; k++) x[k] += phi[i] * cell->X[i * dim + k];
       for (PetscInt k = 0; k < CELL_STRESSES; k++) stress[k] -= phi[i] * PetscRealPart(nodal[i][k]);
     }
     PetscCall(ComplianceGet(sources->compliance, cell->material, x, &L));
     det *= rule->weight[q] * SceneMeasure(scene, x);
-    *volume += det;
-    *squared += det * ComplianceEnergy(sources->compliance, L, stress);
+    sum->volume += det;
+    sum->lost += 2 * det * change * (stress[0] + stress[1] + stress[2]) / 3;
+    sum->squared += det * ComplianceEnergy(sources->compliance, L, stress);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -71,7 +77,7 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
   CellSources        sources = {.compliance = compliance};
   ElementRule       *rules, *stiffness;
   CellStress         cell;
-  PetscReal          squared;
+  CellIntegrals      sum;
 
   PetscFunctionBeginUser;
   PetscCall(EstimateRulesCreate_Private(level, &rules));
@@ -83,8 +89,10 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
     const PetscInt type = level->cell_type[c];
 
     PetscCall(CellStressSet(level->scene, level, c, &stiffness[type], u, &cell));
-    PetscCall(EstimateOfCell_Private(level, c, &cell, &rules[type], &sources, &squared, &estimate->volume[c]));
-    estimate->cell[c] += squared;
+    PetscCall(EstimateOfCell_Private(level, c, &cell, &rules[type], &sources, &sum));
+    estimate->cell[c] += sum.squared;
+    estimate->volume[c] = sum.volume;
+    estimate->lost += sum.lost;
   }
   PetscCall(NodalStressRestoreArrays(&fields->stress, &sources.recovered));
   PetscCall(VecRestoreArrayRead(local, &u));
@@ -129,7 +137,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
 {
   const Level   *level = fields->vi->level;
   const PetscInt num   = level->scene->num_bodies;
-  PetscReal      sums[2];
+  PetscReal      sums[3];
   Compliance     compliance;
   Estimate       e;
 
@@ -150,8 +158,10 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, e->aged, MESH_MAX_ADAPTED, MPIU_REAL, MPI_SUM, level->comm));
   sums[0] = e->signs;
   sums[1] = e->geometry;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, level->comm));
-  e->signs    = sums[0];
+  sums[2] = e->lost;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPIU_REAL, MPI_SUM, level->comm));
+  e->lost     = sums[2];
+  e->signs    = sums[0] + e->lost;
   e->geometry = sums[1];
   for (PetscInt b = 0; b < num; b++) e->squared += e->body[b];
   *estimate = e;

@@ -148,7 +148,7 @@ static PetscErrorCode GoalAddCell_Private(StressSums *to, PetscInt c, const Elem
   for (PetscInt j = 0; j < n * dim; j++) {
     cell.u[j] = 1;
     for (PetscInt q = 0; q < rule->num; q++) {
-      PetscCall(CellStressAtPoint(scene, &cell, rule, q, stress, &det));
+      PetscCall(CellStressAtPoint(scene, &cell, rule, q, stress, &det, NULL));
       to->sums[nodes[j / dim] * dim + j % dim] += weight[q] * det * VectorDot(CELL_STRESSES, to->gradient, stress);
       if (!j) to->measure += weight[q] * det;
     }

@@ -72,7 +72,7 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
   for (PetscInt q = 0; q < num; q++) {
     PetscReal det;
 
-    PetscCall(CellStressAtPoint(scene, &cell, &recovery->rule, q, stress[q], &det));
+    PetscCall(CellStressAtPoint(scene, &cell, &recovery->rule, q, stress[q], &det, NULL));
     volume += recovery->rule.weight[q] * det;
   }
   for (PetscInt i = 0; i < n; i++) {

@@ -40,6 +40,7 @@ struct _n_Adaptive {
   PetscInt     num_older;
   OlderRun     older[KEPT_RUNS]; /* with load steps, coarse first */
   CostPoint    cost[2];          /* of the latest two meshes, the latest first */
+  PetscReal    rate;             /* of errors in the number of unknowns */
   PetscBool    quiet;
   PetscReal    end;        /* time at which the last step of the envelope ended, or all work before */
   PetscReal    kept;       /* time at which files were written last */
@@ -67,13 +68,20 @@ static PetscBool AdaptiveIsMet_Private(const struct _n_Adaptive *adaptive)
                      GoalsAreMet(adaptive->scene, AdaptiveGetLast_Private(adaptive)->goals));
 }
 
-/* The order of convergence in the number of unknowns: p / dim for the lowest order of the bodies. */
-static PetscReal AdaptiveGetRate_Private(const Scene scene)
+/* The order of convergence in the number of unknowns: p / dim for the lowest order of the bodies.
+   Collective. */
+static PetscErrorCode AdaptiveSetRate_Private(Adaptive adaptive)
 {
-  PetscInt order = scene->bodies[0].order;
+  const Scene scene = adaptive->scene;
+  PetscInt   *order;
 
-  for (PetscInt b = 1; b < scene->num_bodies; b++) order = PetscMin(order, scene->bodies[b].order);
-  return (PetscReal)order / scene->dim;
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(scene->num_bodies, &order));
+  PetscCall(ElasticityGetOrders(scene, MeshFinest(adaptive->mesh), order));
+  for (PetscInt b = 1; b < scene->num_bodies; b++) order[0] = PetscMin(order[0], order[b]);
+  adaptive->rate = (PetscReal)order[0] / scene->dim;
+  PetscCall(PetscFree(order));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Expected unknowns of a mesh with the errors asked for. Bars of goals fall like the square of the error in
@@ -90,7 +98,7 @@ static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
     if (goal->value != 0 && !PetscIsNanReal(goal->bar))
       ratio = PetscMax(ratio, PetscSqrtReal(goal->bar / PetscAbsReal(goal->value) / plan->goal_tolerance));
   }
-  return mesh->unknowns * PetscPowReal(ratio, 1 / AdaptiveGetRate_Private(adaptive->scene));
+  return mesh->unknowns * PetscPowReal(ratio, 1 / adaptive->rate);
 }
 
 /* Unknowns of the next mesh, if they grow as they did last. */
@@ -167,7 +175,8 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
 }
 
 /* Whether estimates have hardly fallen since there were half as many unknowns. They are not calibrated here:
-   calibrations of coarse meshes may jump. */
+   calibrations of coarse meshes may jump. Where coarse meshes are too stiff estimates may even rise; then the
+   energy falls, and by more than they tell. */
 static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
@@ -177,6 +186,9 @@ static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
   before = &adaptive->history->mesh[k];
   if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // the mesh hardly resolves the contact
   if (2 * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
+  if (!SceneHasFriction(adaptive->scene) &&
+      SolvedMeshGetEnergy(before) - SolvedMeshGetEnergy(mesh) > (1 - PetscSqr(STALLED)) * PetscSqr(before->eta))
+    return PETSC_FALSE;
   for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
     if (mesh->goals[g].product <= STALLED * before->goals[g].product) return PETSC_FALSE;
   }
@@ -436,6 +448,7 @@ PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive)
   (*adaptive)->history = &(*adaptive)->own;
   if (SceneRepeatsSteps(scene)) PetscCall(EnvelopeCreate(scene->steps.num, &(*adaptive)->envelope));
   (*adaptive)->quiet = (PetscBool)(scene->quiet || (scene->summary && !strcmp(scene->summary, "-")));
+  PetscCall(AdaptiveSetRate_Private(*adaptive));
   PetscCall(AdaptivePrintHead_Private(*adaptive, mesh));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

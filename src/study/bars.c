@@ -266,11 +266,10 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
    While few meshes calibrate E, differences of meshes may be larger. */
 static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *bars)
 {
-  cJSON          *energy = cJSON_AddObjectToObject(bars, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
-  const BarPath   potential = {"energy", "potential", NULL, NULL};
-  const PetscReal squared   = PetscSqr(history->error);
-  PetscReal      *J, values[MAX_ITEMS], bar;
-  PetscBool       list;
+  cJSON        *energy = cJSON_AddObjectToObject(bars, "energy"), *strain = cJSON_AddObjectToObject(energy, "strain");
+  const BarPath potential = {"energy", "potential", NULL, NULL};
+  PetscReal    *J, values[MAX_ITEMS], bar;
+  PetscBool     list;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(history->num, &J));
@@ -279,7 +278,7 @@ static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *ba
     J[j] = values[0];
   }
   bar = BarsOfSequence_Private(history, J);
-  if (!PetscIsNanReal(bar)) bar = PetscMax(bar, PetscAbsReal(history->excess) / 2 + squared / 3);
+  if (!PetscIsNanReal(bar)) bar = PetscMax(bar, PetscAbsReal(history->excess) / 2 + history->limit);
   JSONAddReal(energy, "potential", bar);
   PetscCall(PetscFree(J));
   for (PetscInt b = 0; b < history->scene->num_bodies; b++) {

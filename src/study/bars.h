@@ -18,8 +18,8 @@ typedef struct {
   const BarMesh   *mesh; /* [num] */
   const BarFloors *floors;
   Scene            scene;
-  PetscReal        error;  /* E: the calibrated estimate of the finest mesh */
-  PetscReal        excess; /* its 2 (J_h - J), estimated */
+  PetscReal        excess; /* 2 (J_h - J) of the finest mesh, estimated */
+  PetscReal        limit;  /* bar of the limit of the potential */
 } BarHistory;
 
 /* Error bars: half widths of intervals around the numbers of the finest mesh (eq. 15.5), with r_j = min(eta_k

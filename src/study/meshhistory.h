@@ -9,12 +9,12 @@
 typedef struct {
   PetscInt  cells, unknowns, iterations, active;
   PetscReal eta, geometry, theta, error; /* estimate, the part of its square from curves, calibration, E (15.3, 15.4) */
-  PetscReal norm, potential, signs;      /* |u|_a^2 (0: rounding), J_h, L */
-  PetscReal seconds;                     /* from the mesh to its bars */
-  PetscBool missed;                      /* whether contact was missed and nothing moves */
-  cJSON    *row;                         /* of SummaryCreateStep() */
-  PetscReal *peak;                       /* of BarFloorsGetPeakSizes() [num_pairs] */
-  GoalState *goals;                      /* [scene->adapt.num_goals], or NULL */
+  PetscReal norm, potential, signs, lost; /* |u|_a^2 (0: rounding), J_h, L, its part of changes of volume */
+  PetscReal seconds;                      /* from the mesh to its bars */
+  PetscBool missed;                       /* whether contact was missed and nothing moves */
+  cJSON    *row;                          /* of SummaryCreateStep() */
+  PetscReal *peak;                        /* of BarFloorsGetPeakSizes() [num_pairs] */
+  GoalState *goals;                       /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 
 /* All meshes, coarse first. Zero means empty. */
@@ -29,6 +29,8 @@ PetscErrorCode MeshHistoryDestroy(MeshHistory *history);
 /* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is
    none. Not collective. */
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh);
+/* 2 J_h - L: it falls like the square of the error. Not collective. */
+PetscReal SolvedMeshGetEnergy(const SolvedMesh *mesh);
 /* Whether that error is rounding: the finite element space contains the solution. Not collective. */
 PetscBool SolvedMeshIsExact(const SolvedMesh *mesh);
 /* Replaces the blocks "estimate" and "bars" of a run, and sets the bars of the goals of the latest mesh.
