@@ -11,11 +11,12 @@ static const char *const launchers[] = {
     "SLURM_PROCID",         "FLUX_TASK_RANK", "JSM_NAMESPACE_RANK", "PALS_RANKID", "ALPS_APP_PE", "MV2_COMM_WORLD_SIZE",
     "MPIRUN_RANK"};
 
-/* Settings for a process alone: no daemon, the message layer without a network, no list of the machine's
-   cards and displays. */
+/* Settings for a process alone: no daemon; no folder in TMPDIR, which such processes would share, one removing
+   it while another makes it; the message layer without a network; no list of the machine's cards and displays. */
 static const struct {
   const char *name, *value;
 } alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
+             {"OMPI_MCA_orte_create_session_dirs", "0"},
              {"OMPI_MCA_pml", "ob1"},
              {"HWLOC_COMPONENTS", "-pci,-linuxio,-gl,-opencl"}};
 

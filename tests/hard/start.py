@@ -7,7 +7,8 @@ import os
 import re
 import subprocess
 
-VARIABLES = ("OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_pml", "HWLOC_COMPONENTS")  # of this machine, that say how MPI starts
+# Of this machine, that say how MPI starts.
+VARIABLES = ("OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_orte_create_session_dirs", "OMPI_MCA_pml", "HWLOC_COMPONENTS")
 CARDS = {"pci", "opencl", "gl"}  # components of hwloc
 
 
@@ -49,6 +50,7 @@ def main():
     if "Open MPI v4" not in versions:
         return
     check("a scene starts no daemon", ends(solve, **nowhere) == 0)
+    check("a scene makes no folder that other processes share", ends(solve, TMPDIR="/dev/null/none") == 0)
     check("a message layer that the user names is asked for", ends(solve, **no_layer) != 0)
     check("a user who asks for the daemon has it", ends(solve, OMPI_MCA_ess_singleton_isolated="0", **nowhere) != 0)
     check("a scene asks for no cards and displays", not asks_for_cards(solve))
