@@ -113,30 +113,58 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 - |e'd|^2 over the held directions d of each node: how free it is along an axis e. [out] free - node by
-   node, owned by the caller */
-static PetscErrorCode FrictionFieldsCreateFree_Private(VI vi, PetscInt axis, Vec *free)
+/* Component k, l of sum d d' over the held directions d of each node. [out] held - node by node, owned by the
+   caller */
+static PetscErrorCode FrictionFieldsCreateHeld_Private(VI vi, PetscInt k, PetscInt l, Vec *held)
 {
-  const Support *held = &vi->support;
+  const Support *support = &vi->support;
   PetscScalar   *value;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(vi->level, 1, free));
-  PetscCall(VecGetArray(*free, &value));
+  PetscCall(LevelCreateVec(vi->level, 1, held));
+  PetscCall(VecGetArray(*held, &value));
   for (PetscInt i = 0; i < vi->level->num_owned; i++) {
-    value[i] = 1;
-    for (PetscInt j = 0; j < held->count[i]; j++)
-      value[i] -= PetscSqr(held->directions[(i * held->dim + j) * held->dim + axis]);
+    value[i] = 0;
+    for (PetscInt j = 0; j < support->count[i]; j++) {
+      const PetscReal *d = &support->directions[(i * support->dim + j) * support->dim];
+
+      value[i] += d[k] * d[l];
+    }
   }
-  PetscCall(VecRestoreArray(*free, &value));
+  PetscCall(VecRestoreArray(*held, &value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks normal rows of pair p in contact whose node is held along an axis of its side, where mortar nodes are
-   free along it.
-   [in] share - M (free along the axis) at owned nodes; [in,out] chosen - [num_rows] */
-static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, PetscInt axis, const PetscScalar share[],
-                                           PetscBool chosen[])
+/* M times these components: how far supports hold the mortar side at nodes of pair p. Collective.
+   [out] share - symmetric matrices, owned by the caller [num_owned][dim][dim] */
+static PetscErrorCode FrictionFieldsShareHeld_Private(VI vi, PetscInt p, PetscReal **share)
+{
+  const PetscInt dim = vi->level->dim, num = vi->level->num_owned;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num * dim * dim, share));
+  for (PetscInt k = 0; k < dim; k++)
+    for (PetscInt l = 0; l <= k; l++) {
+      Vec                held, sum;
+      const PetscScalar *value;
+
+      PetscCall(FrictionFieldsCreateHeld_Private(vi, k, l, &held));
+      PetscCall(VecDuplicate(held, &sum));
+      PetscCall(MatMult(vi->pairs[p]->M, held, sum));
+      PetscCall(VecGetArrayRead(sum, &value));
+      for (PetscInt i = 0; i < num; i++)
+        (*share)[(i * dim + k) * dim + l] = (*share)[(i * dim + l) * dim + k] = PetscRealPart(value[i]);
+      PetscCall(VecRestoreArrayRead(sum, &value));
+      PetscCall(VecDestroy(&sum));
+      PetscCall(VecDestroy(&held));
+    }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks normal rows of pair p in contact whose node is held along a direction in which its mortar nodes are
+   free. On a plane of symmetry one of these is held.
+   [in] share - of FrictionFieldsShareHeld_Private(); [in,out] chosen - [num_rows] */
+static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, const PetscReal share[], PetscBool chosen[])
 {
   const VI       vi   = fields->vi;
   const Pair     pair = vi->pairs[p];
@@ -146,11 +174,12 @@ static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, PetscInt a
     const PetscInt a = vi->row_node[r], i = pair->nodes[a];
 
     if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
-    if (!(PetscRealPart(share[i]) > STUCK * pair->D[a])) continue;
     for (PetscInt j = 0; j < vi->support.count[i]; j++) {
-      const PetscReal *d = &vi->support.directions[(i * dim + j) * dim];
+      const PetscReal *d    = &vi->support.directions[(i * dim + j) * dim];
+      PetscReal        held = 0;
 
-      if (PetscAbsReal(d[axis]) > 1 - STUCK) chosen[r] = PETSC_TRUE; // it is a tangent where there is a multiplier
+      for (PetscInt k = 0; k < dim; k++) held += d[k] * VectorDot(dim, &share[(i * dim + k) * dim], d);
+      if (PetscAbsReal(held) <= STUCK * pair->D[a]) chosen[r] = PETSC_TRUE;
     }
   }
 }
@@ -159,25 +188,16 @@ PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, 
 {
   const VI   vi   = fields->vi;
   const Pair pair = vi->pairs[p];
+  PetscReal *share;
   PetscBool *chosen;
 
   PetscFunctionBeginUser;
   *num = 0;
   if (!ScenePairHasFriction(pair->spec) || !pair->M) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(vi->num_rows, &chosen));
-  for (PetscInt axis = 0; axis < vi->level->dim; axis++) {
-    Vec                free, share;
-    const PetscScalar *value;
-
-    PetscCall(FrictionFieldsCreateFree_Private(vi, axis, &free));
-    PetscCall(VecDuplicate(free, &share));
-    PetscCall(MatMult(pair->M, free, share));
-    PetscCall(VecGetArrayRead(share, &value));
-    FrictionFieldsMarkHeld_Private(fields, p, axis, value, chosen);
-    PetscCall(VecRestoreArrayRead(share, &value));
-    PetscCall(VecDestroy(&free));
-    PetscCall(VecDestroy(&share));
-  }
+  PetscCall(FrictionFieldsShareHeld_Private(vi, p, &share));
+  FrictionFieldsMarkHeld_Private(fields, p, share, chosen);
+  PetscCall(PetscFree(share));
   for (PetscInt r = 0; r < vi->num_rows; r++) *num += chosen[r] ? 1 : 0;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (*num) PetscCall(PairSumFindFirstPlace(vi, chosen, at));

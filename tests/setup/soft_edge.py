@@ -7,7 +7,7 @@ OBTUSE = ["-lid_map", "(x+0.5)*(1+0.577*y)-0.5,y"]
 # Modulus of the block (that of the partner is 2000), other options; warnings.
 EDGE = ["coarse_contact"]
 CASES = {"soft": (["-lid_young", "20"], []), "alike": ([], EDGE), "obtuse": (["-lid_young", "20", *OBTUSE], EDGE),
-         "rubs": (["-lid_young", "20", "-joint_friction", "0.3"], EDGE + ["held_friction"]), "stiffer": (["-lid_young", "200"], EDGE)}
+         "rubs": (["-lid_young", "20", "-joint_friction", "0.3"], EDGE), "stiffer": (["-lid_young", "200"], EDGE)}
 
 LEVELS = (4, 5, 6) if LONG else (4, 5)
 
