@@ -11,8 +11,9 @@ static const char *const launchers[] = {
     "SLURM_PROCID",         "FLUX_TASK_RANK", "JSM_NAMESPACE_RANK", "PALS_RANKID", "ALPS_APP_PE", "MV2_COMM_WORLD_SIZE",
     "MPIRUN_RANK"};
 
-/* Settings for a process alone: no daemon; no folder in TMPDIR, which such processes would share, one removing
-   it while another makes it; the message layer without a network; no list of the machine's cards and displays. */
+/* Settings for a process alone: no daemon; no folder in TMPDIR, which such processes would share: one removes
+   it while another makes its own in it. No network for messages; no list of the machine's cards and
+   displays. */
 static const struct {
   const char *name, *value;
 } alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"},

@@ -181,6 +181,13 @@ static PetscErrorCode PatchNumber_Private(Vec labels, PatchNodes *nodes, Contact
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The patch of a row; rows of tangents stand behind the normal row of their node. */
+static PetscInt PatchOfRow_Private(VI vi, const ContactPatches *patches, PetscInt r)
+{
+  while (vi->row_direction[r]) r--;
+  return patches->row_patch[r];
+}
+
 /* Area, forces and centroids. Collective. */
 static PetscErrorCode PatchSumForces_Private(Fields fields, PetscInt p, ContactPatches *patches)
 {
@@ -193,20 +200,20 @@ static PetscErrorCode PatchSumForces_Private(Fields fields, PetscInt p, ContactP
   PetscCall(PetscCalloc2(patches->num * ROW_SUMS, &sums, patches->num, &most));
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscReal weight = fields->row_weight[r], *n;
+    const PetscReal weight = fields->row_weight[r], *d;
+    const PetscInt  at     = PatchOfRow_Private(vi, patches, r);
     PetscReal      *sum;
 
-    if (patches->row_patch[r] < 0) continue;
-    n   = &vi->pairs[p]->frame[vi->row_node[r] * dim * dim];
-    sum = &sums[patches->row_patch[r] * ROW_SUMS];
+    if (at < 0) continue;
+    d   = &vi->pairs[p]->frame[(vi->row_node[r] * dim + vi->row_direction[r]) * dim];
+    sum = &sums[at * ROW_SUMS];
+    for (PetscInt k = 0; k < dim; k++) sum[ROW_FORCE + k] -= lambda[r] * weight * d[k];
+    if (vi->row_direction[r]) continue; // tangents only have a force
     sum[ROW_NODES] += 1;
     sum[ROW_AREA] += weight;
     sum[ROW_NORMAL] += lambda[r] * weight;
-    for (PetscInt k = 0; k < dim; k++) {
-      sum[ROW_FORCE + k] -= lambda[r] * weight * n[k];
-      sum[ROW_CENTRE + k] += fields->row_moment[r * dim + k];
-    }
-    most[patches->row_patch[r]] = PetscMax(most[patches->row_patch[r]], lambda[r]);
+    for (PetscInt k = 0; k < dim; k++) sum[ROW_CENTRE + k] += fields->row_moment[r * dim + k];
+    most[at] = PetscMax(most[at], lambda[r]);
   }
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
   PetscCallMPI(
@@ -244,18 +251,18 @@ static PetscErrorCode PatchSumMoments_Private(Fields fields, PetscInt p, Contact
   PetscCall(PetscCalloc1(patches->num * 3, &sums));
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscReal *n;
+    const PetscInt   at = PatchOfRow_Private(vi, patches, r);
+    const PetscReal *d;
     PetscReal        arm[3] = {0}, force[3] = {0}, moment[3];
 
-    if (patches->row_patch[r] < 0) continue;
-    n = &vi->pairs[p]->frame[vi->row_node[r] * dim * dim];
+    if (at < 0) continue;
+    d = &vi->pairs[p]->frame[(vi->row_node[r] * dim + vi->row_direction[r]) * dim];
     for (PetscInt k = 0; k < dim; k++) {
-      arm[k] =
-          fields->row_moment[r * dim + k] - fields->row_weight[r] * patches->patch[patches->row_patch[r]].centre[k];
-      force[k] = -lambda[r] * n[k];
+      arm[k]   = fields->row_moment[r * dim + k] - fields->row_weight[r] * patches->patch[at].centre[k];
+      force[k] = -lambda[r] * d[k];
     }
     VectorCross(arm, force, moment);
-    for (PetscInt k = 0; k < 3; k++) sums[patches->row_patch[r] * 3 + k] += moment[k];
+    for (PetscInt k = 0; k < 3; k++) sums[at * 3 + k] += moment[k];
   }
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(patches->num * 3), MPIU_REAL, MPI_SUM, vi->level->comm));

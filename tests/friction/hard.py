@@ -124,6 +124,7 @@ def torque(run):
     table = run.table("fit")
     moment = sum(f / p * (x * qy - y * qx) for f, p, x, y, qx, qy in zip(*(table[key] for key in ("force", "pressure", "x", "y", "tangential_traction_x", "tangential_traction_y"))))
     near("moment on the radius", abs(moment), 0.2 * pair["normal_force"] if pair["normal_force"] else 0, relative=1e-3)
+    near("moment of the patch", pair["patches"][0]["moment"], [moment], relative=1e-3)
 
 
 def not_unique(run):

@@ -10,6 +10,10 @@ def judge(run):
     pair, limit = run.pair(name), SLOPE[name]
     near("force", pair["force"], FORCES[name][0], relative=1e-11)
     near("tangential force", pair["tangential_force"], FORCES[name][1], relative=1e-11)
+    (patch,) = pair["patches"]
+    near("force of its patch", patch["force"], pair["force"], relative=1e-11)
+    if name == "floor":  # of the weight (4e3, -2e4) in the centre (1, 0.5)
+        near("its moment about the origin", patch["moment"][0] + patch["centre"][0] * patch["force"][1], 2.2e4, relative=1e-11)
     require(pair["dissipation"] > 0 and 0 < pair["slip_share"] < 1, f"slip: {pair['slip_share']}, dissipation {pair['dissipation']}")
     friction = run.summary["solver"]["friction"]
     require(friction["unique"] and max(friction[key] for key in ("cone", "slip", "dissipation")) < 1e-11, f"friction {friction}")
