@@ -8,7 +8,8 @@ enum {
   MAX_ITEMS   = 8, /* largest number of items of an array */
   BAR_MESHES  = 4, /* differences of a bar: so many hardly agree by chance */
   PEAK_MESHES = 3, /* increments of a largest pressure that are compared */
-  PEAK_SIZES  = 5  /* sizes of its facets that are compared */
+  PEAK_SIZES  = 5, /* sizes of its facets that are compared */
+  PEAK_DOUBTS = 2  /* smaller sizes that must not show growth before what was unbounded has a limit */
 };
 
 static const PetscReal BAR_MARGIN = 1.25; /* factor of differences */
@@ -16,11 +17,14 @@ static const PetscReal LEAST_GAIN = 0.95; /* largest ratio of estimates: nearly 
 static const PetscReal FALLEN     = 0.25; /* of the first estimate: below, fewer meshes are enough */
 static const PetscReal SETTLES    = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
 static const PetscReal GROWN = 0.1; /* part of a stress that it has grown by over BAR_MESHES: it is far from a limit */
-static const PetscReal STILL_GROWS = 0.8; /* least ratio of an increment to the one before that shows no limit */
+/* Least ratio of an increment to the one before that shows no limit. */
+static const PetscReal STILL_GROWS  = 0.8;
+static const PetscReal SEEN_GROWING = 0.03; /* part of a pressure that it grows by over PEAK_MESHES, at least */
 /* A pressure grows as at a corner if it is the size of facets there to a power of at most -CORNER_POWER: of
-   two equal bodies with a square edge it is -0.23, of a rigid punch -0.5. Facets are at most CORNER_FACET of
-   the extent of contact, and at most CORNER_REFINED of those of the mesh before. */
-static const PetscReal CORNER_POWER = 0.2, CORNER_FACET = 0.1, CORNER_REFINED = 0.6;
+   two equal bodies with a square edge it is -0.23, of a rigid punch -0.5, and -0.66 on its first meshes.
+   Faster growth is that of meshes that have yet to find the contact. Facets are at most CORNER_FACET of the
+   extent of contact, and at most CORNER_REFINED of those of the mesh before. */
+static const PetscReal CORNER_POWER = 0.2, CORNER_MOST = 0.7, CORNER_FACET = 0.1, CORNER_REFINED = 0.6;
 /* Least ratio of its growth over two halvings of facets to that over the two before: 0.25 if the error is of
    order h, 1 if it is that of a logarithm. */
 static const PetscReal CORNER_GROWS = 0.6;
@@ -109,19 +113,6 @@ static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscRe
   return bar;
 }
 
-/* Whether a sequence grows by increments that do not shrink. */
-static PetscBool BarsGrows_Private(PetscInt num, const PetscReal Q[])
-{
-  if (num <= PEAK_MESHES) return PETSC_FALSE;
-  for (PetscInt j = num - PEAK_MESHES; j < num; j++) {
-    const PetscReal step = Q[j] - Q[j - 1];
-
-    if (!(step > 0)) return PETSC_FALSE;
-    if (j > num - PEAK_MESHES && !(step > STILL_GROWS * (Q[j - 1] - Q[j - 2]))) return PETSC_FALSE;
-  }
-  return PETSC_TRUE;
-}
-
 /* The size of a number, or of its vector; for a position, of the extent of contact.
    [in] values - of the path [num] */
 static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
@@ -137,42 +128,63 @@ static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, Floo
   return PetscSqrtReal(sum);
 }
 
-/* Whether a largest pressure grows like a power of the size of its facets, as at a corner: three meshes tell
-   that. [in] path - of the pressure; [in] p - its pair */
-static PetscBool BarsPressureIsCorner_Private(const BarHistory *history, const BarPath *path, PetscInt p,
-                                              const PetscReal Q[])
+/* Whether facets at a largest pressure are small against the extent of contact on a mesh.
+   [in] path - of the pressure; [in] size - of the facets */
+static PetscBool BarsPeakIsFine_Private(const BarHistory *history, const BarPath *path, PetscInt mesh, PetscReal size)
 {
-  const BarMesh *mesh = &history->mesh[history->num - PEAK_MESHES];
-  const BarPath  ends = {path->section, path->owner, "extent", "lower"};
-  PetscReal      power[PEAK_MESHES], values[MAX_ITEMS], extent;
-  PetscInt       num;
-  PetscBool      list;
+  const BarPath ends = {path->section, path->owner, "extent", "lower"};
+  PetscReal     values[MAX_ITEMS];
+  PetscBool     list;
+  PetscInt      num = BarsRead_Private(history->mesh[mesh].row, &ends, values, &list);
 
-  if (history->num < PEAK_MESHES) return PETSC_FALSE;
-  num    = BarsRead_Private(mesh[0].row, &ends, values, &list);
-  extent = BarsGetSize_Private(mesh[0].row, path, FLOOR_PLACE, num, values);
-  if (!(mesh[0].peak[p] > 0 && mesh[0].peak[p] <= CORNER_FACET * extent)) return PETSC_FALSE;
-  Q = &Q[history->num - PEAK_MESHES];
+  return (PetscBool)(size > 0 && size <= CORNER_FACET * BarsGetSize_Private(history->mesh[mesh].row, path, FLOOR_PLACE,
+                                                                            num, values));
+}
+
+/* Whether a largest pressure grows by increments that do not shrink, on meshes that resolve the contact. */
+static PetscBool BarsGrows_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
+{
+  const PetscInt first = history->num - PEAK_MESHES;
+
+  if (first < 1 || !BarsPeakIsFine_Private(history, path, first, history->mesh[first].peak[p])) return PETSC_FALSE;
+  for (PetscInt j = first; j < history->num; j++) {
+    const PetscReal step = Q[j] - Q[j - 1];
+
+    if (!(step > 0)) return PETSC_FALSE;
+    if (j > first && !(step > STILL_GROWS * (Q[j - 1] - Q[j - 2]))) return PETSC_FALSE;
+  }
+  return (PetscBool)(Q[history->num - 1] - Q[first - 1] > SEEN_GROWING * Q[history->num - 1]);
+}
+
+/* Whether a largest pressure grows like a power of the size of its facets, as at a corner: three meshes tell
+   that. */
+static PetscBool BarsIsCorner_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
+{
+  const PetscInt first = history->num - PEAK_MESHES;
+  const BarMesh *mesh;
+  PetscReal      power[PEAK_MESHES];
+
+  if (first < 0 || !BarsPeakIsFine_Private(history, path, first, history->mesh[first].peak[p])) return PETSC_FALSE;
+  mesh = &history->mesh[first];
+  Q    = &Q[first];
   for (PetscInt j = 1; j < PEAK_MESHES; j++) {
     if (!(mesh[j].peak[p] <= CORNER_REFINED * mesh[j - 1].peak[p] && Q[j - 1] > 0)) return PETSC_FALSE;
     power[j] = PetscLogReal(Q[j] / Q[j - 1]) / PetscLogReal(mesh[j - 1].peak[p] / mesh[j].peak[p]);
-    if (!(power[j] >= CORNER_POWER)) return PETSC_FALSE;
+    if (!(power[j] >= CORNER_POWER && power[j] <= CORNER_MOST)) return PETSC_FALSE;
     if (j > 1 && !(power[j] > STILL_GROWS * power[j - 1])) return PETSC_FALSE;
   }
   return PETSC_TRUE;
 }
 
 /* Whether a largest pressure grows over the last sizes of its facets. Facets are not refined for each mesh,
-   and a mesh that refines the other side alone may lower it: the largest one of each size counts.
-   [in] path - of the pressure; [in] p - its pair */
+   and a mesh that refines the other side alone may lower it: the largest one of each size counts. */
 static PetscBool BarsPeakGrows_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
 {
-  const BarPath ends             = {path->section, path->owner, "extent", "lower"};
-  PetscReal     most[PEAK_SIZES] = {0}, size = 0, values[MAX_ITEMS], extent;
-  PetscInt      k = 0, num;
-  PetscBool     list;
+  const PetscInt last             = history->num - 1;
+  PetscReal      most[PEAK_SIZES] = {0}, size = 0;
+  PetscInt       k = 0;
 
-  for (PetscInt mesh = history->num - 1; mesh >= 0; mesh--) { // fine to coarse
+  for (PetscInt mesh = last; mesh >= 0; mesh--) { // fine to coarse
     const PetscReal peak = history->mesh[mesh].peak[p];
 
     if (size > 0 && size <= CORNER_REFINED * peak) k++;
@@ -180,11 +192,33 @@ static PetscBool BarsPeakGrows_Private(const BarHistory *history, const BarPath 
     if (k == 0 || size <= CORNER_REFINED * peak) size = peak;
     most[k] = PetscMax(most[k], Q[mesh]);
   }
-  if (k + 1 < PEAK_SIZES) return PETSC_FALSE;
-  num    = BarsRead_Private(history->mesh[history->num - 1].row, &ends, values, &list);
-  extent = BarsGetSize_Private(history->mesh[history->num - 1].row, path, FLOOR_PLACE, num, values);
-  return (PetscBool)(size > 0 && size <= CORNER_FACET * extent && most[0] - most[4] > GROWN * most[0] &&
-                     most[2] > most[4] && most[0] - most[2] > CORNER_GROWS * (most[2] - most[4]));
+  return (PetscBool)(k + 1 >= PEAK_SIZES && BarsPeakIsFine_Private(history, path, last, size) &&
+                     most[0] - most[4] > GROWN * most[0] && most[0] > most[1] && most[2] > most[4] &&
+                     most[0] - most[2] > CORNER_GROWS * (most[2] - most[4]));
+}
+
+/* Whether a largest pressure has no limit. What earlier meshes showed of a corner holds until PEAK_DOUBTS
+   smaller sizes of facets do not show it: where contact ends between nodes, single meshes tell less.
+   [in] path - of the pressure; [in] p - its pair */
+static PetscBool BarsIsUnbounded_Private(const BarHistory *history, const BarPath *path, PetscInt p,
+                                         const PetscReal Q[])
+{
+  BarHistory part   = *history;
+  PetscReal  size   = history->mesh[history->num - 1].peak[p];
+  PetscInt   doubts = 0;
+
+  if (BarsGrows_Private(history, path, p, Q)) return PETSC_TRUE;
+  for (part.num = history->num; part.num >= PEAK_MESHES && doubts < PEAK_DOUBTS; part.num--) {
+    const PetscReal peak = history->mesh[part.num - 1].peak[p];
+
+    if (size <= CORNER_REFINED * peak) {
+      doubts++;
+      size = peak;
+    }
+    if (doubts < PEAK_DOUBTS && (BarsIsCorner_Private(&part, path, p, Q) || BarsPeakGrows_Private(&part, path, p, Q)))
+      return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
 }
 
 /* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as
@@ -248,10 +282,7 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
     bars[i] = BarsOfSequence_Private(history, Q);
     if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
     if (kind == FLOOR_STRESS && BarsStressGrows_Private(history->num, Q)) bars[i] = (PetscReal)NAN;
-    if (grows)
-      *grows =
-          (PetscBool)(BarsGrows_Private(history->num, Q) || BarsPressureIsCorner_Private(history, path, owner, Q) ||
-                      BarsPeakGrows_Private(history, path, owner, Q));
+    if (grows) *grows = BarsIsUnbounded_Private(history, path, owner, Q);
     if (grows && *grows) bars[i] = (PetscReal)NAN;
   }
   PetscCall(PetscFree(Q));
