@@ -37,7 +37,7 @@ static PetscErrorCode ForgetFn(void)
 }
 
 /* Registers types and stages with PETSc. */
-static PetscErrorCode Register_Private(double start)
+static PetscErrorCode InitializeTypes_Private(double start)
 {
   PetscFunctionBeginUser;
   PetscCall(LogInitialize(start));
@@ -49,7 +49,7 @@ static PetscErrorCode Register_Private(double start)
 }
 
 /* Starts PETSc on the arguments and the options files that they name. */
-static PetscErrorCode Start_Private(int argc, char **argv)
+static PetscErrorCode InitializePetsc_Private(int argc, char **argv)
 {
   char sentence[USER_ERROR_LENGTH];
 
@@ -82,8 +82,8 @@ PetscErrorCode MortiseInitialize(int *argc, char ***argv)
     library.started_mpi = PETSC_TRUE;
   }
   PetscInitialized(&runs);
-  error = runs ? OptionsJoin() : argc && argv && *argc ? Start_Private(*argc, *argv) : Start_Private(1, nobody);
-  if (!error) error = Register_Private(start);
+  error = runs ? OptionsJoin() : argc && argv && *argc ? InitializePetsc_Private(*argc, *argv) : InitializePetsc_Private(1, nobody);
+  if (!error) error = InitializeTypes_Private(start);
   if (!error && !ProcessIsOwn()) error = UserErrorSilence();
   if (!error) library.ready = PETSC_TRUE;
   return error;

@@ -7,6 +7,7 @@
 #include "mesh/fileextract.h"
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
+#include "kernel/disjointsets.h"
 #include "base/compat.h"
 #include "base/warning.h"
 #include <string.h>
@@ -33,28 +34,21 @@ typedef struct {
   PetscReal *middle, *normal, *size; /* of facets [num][3], [num][3], longest edge [num] */
 } Boundary;
 
-static PetscInt PiecesFind_Private(PetscInt parent[], PetscInt v)
-{
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 /* Components of vertices connected by cells.
    [out] piece - [num_vertices]; returns the number of components */
 static PetscInt PiecesCount_Private(const BodyList *list, PetscInt piece[])
 {
   PetscInt num = 0;
 
-  for (PetscInt v = 0; v < list->num_vertices; v++) piece[v] = v;
+  DisjointSetsInitialize(list->num_vertices, piece);
   for (PetscInt c = 0; c < list->num_cells; c++) {
     const PetscInt *nodes = &list->cell_nodes[c * ELEMENT_MAX_NODES];
-    const PetscInt  root  = PiecesFind_Private(piece, nodes[0]);
 
     for (PetscInt i = 1; i < ElementNumNodes(ElementLinear((ElementType)list->cell_type[c])); i++)
-      piece[PiecesFind_Private(piece, nodes[i])] = root;
+      DisjointSetsUnite(piece, nodes[0], nodes[i]);
   }
   for (PetscInt v = 0; v < list->num_vertices; v++) {
-    piece[v] = PiecesFind_Private(piece, v);
+    piece[v] = DisjointSetsFind(piece, v);
     num += piece[v] == v;
   }
   return num;

@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "multigrid/graphcomponents.h"
 #include "multigrid/ghostexchange.h"
+#include "kernel/disjointsets.h"
 
 /* The components of this rank's rows as trees; the root is the first row. */
 typedef struct {
@@ -12,12 +13,6 @@ typedef struct {
   PetscInt  num_cut, max; /* couplings with other ranks' rows */
   PetscInt *near, *far;   /* row, ghost [num_cut] */
 } Forest;
-
-static PetscInt GraphComponentsRoot_Private(PetscInt parent[], PetscInt i)
-{
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 static PetscErrorCode GraphComponentsAddCut_Private(Forest *forest, PetscInt near, PetscInt far)
 {
@@ -36,7 +31,7 @@ static PetscErrorCode GraphComponentsJoin_Private(Mat A, const GhostExchange *gh
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(ghosts->n, &forest->parent));
-  for (PetscInt i = 0; i < ghosts->n; i++) forest->parent[i] = i;
+  DisjointSetsInitialize(ghosts->n, forest->parent);
   for (PetscInt i = 0; i < ghosts->n; i++) {
     PetscInt           num;
     const PetscInt    *columns;
@@ -44,17 +39,12 @@ static PetscErrorCode GraphComponentsJoin_Private(Mat A, const GhostExchange *gh
 
     PetscCall(MatGetRow(A, ghosts->begin + i, &num, &columns, &values));
     for (PetscInt c = 0; c < num; c++) {
-      PetscInt at, roots[2];
+      PetscInt at;
 
       if (values[c] == 0) continue;
       PetscCall(GhostExchangeFind(ghosts, columns[c], &at));
-      if (at < ghosts->n) {
-        roots[0]                                     = GraphComponentsRoot_Private(forest->parent, i);
-        roots[1]                                     = GraphComponentsRoot_Private(forest->parent, at);
-        forest->parent[PetscMax(roots[0], roots[1])] = PetscMin(roots[0], roots[1]);
-      } else {
-        PetscCall(GraphComponentsAddCut_Private(forest, i, at));
-      }
+      if (at < ghosts->n) DisjointSetsUnite(forest->parent, i, at);
+      else PetscCall(GraphComponentsAddCut_Private(forest, i, at));
     }
     PetscCall(MatRestoreRow(A, ghosts->begin + i, &num, &columns, &values));
   }
@@ -75,11 +65,11 @@ PetscErrorCode GraphComponentsLabel(Mat A, PetscReal label[])
   PetscCall(PetscMalloc2(ghosts.n, &first, ghosts.n + ghosts.num, &all));
   for (PetscInt i = 0; i < ghosts.n; i++) first[i] = (PetscReal)(ghosts.begin + i);
   do {
-    for (PetscInt i = 0; i < ghosts.n; i++) all[i] = first[GraphComponentsRoot_Private(forest.parent, i)];
+    for (PetscInt i = 0; i < ghosts.n; i++) all[i] = first[DisjointSetsFind(forest.parent, i)];
     PetscCall(GhostExchangeUpdate(&ghosts, all));
     changed = PETSC_FALSE;
     for (PetscInt c = 0; c < forest.num_cut; c++) {
-      const PetscInt root = GraphComponentsRoot_Private(forest.parent, forest.near[c]);
+      const PetscInt root = DisjointSetsFind(forest.parent, forest.near[c]);
 
       if (all[forest.far[c]] >= first[root]) continue;
       first[root] = all[forest.far[c]];

@@ -142,7 +142,7 @@ static const H5FD_class_t driver_class = {
     .version = H5FD_CLASS_VERSION,
     .value   = H5_VFD_RESERVED + 1, /* a number of this program's own driver */
 #endif
-    .name      = "mortise_sink",
+    .name      = "mortise",
     .maxaddr   = ((haddr_t)1 << 62) - 1,
     .fc_degree = H5F_CLOSE_WEAK,
     .fapl_size = sizeof(HDF5Driver *),

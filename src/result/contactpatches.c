@@ -4,6 +4,7 @@
    number of their nodes until none changes: as often as a patch crosses a boundary between ranks. */
 #include "base/compat.h"
 #include "kernel/dense.h"
+#include "kernel/disjointsets.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "result/contactpatches.h"
@@ -32,18 +33,12 @@ typedef struct {
   PetscInt *patch;  /* of local nodes, -1 for none [num_nodes] */
 } PatchNodes;
 
-static PetscInt PatchFindRoot_Private(PetscInt parent[], PetscInt i)
-{
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /* Joins the nodes in contact of each facet. [in] label - < 0 where a node is not in contact; [out] parent -
    [num_nodes] */
 static void PatchJoinFacets_Private(const Facets *facets, PetscInt num_nodes, const PetscScalar label[],
                                     PetscInt parent[])
 {
-  for (PetscInt i = 0; i < num_nodes; i++) parent[i] = i;
+  DisjointSetsInitialize(num_nodes, parent);
   for (PetscInt f = 0; f < facets->num; f++) {
     PetscInt first = -1;
 
@@ -52,7 +47,7 @@ static void PatchJoinFacets_Private(const Facets *facets, PetscInt num_nodes, co
 
       if (PetscRealPart(label[node]) < 0) continue;
       if (first < 0) first = node;
-      parent[PatchFindRoot_Private(parent, node)] = PatchFindRoot_Private(parent, first);
+      DisjointSetsUnite(parent, first, node);
     }
   }
 }
@@ -96,12 +91,12 @@ static PetscErrorCode PatchSpreadLabels_Private(Level *level, const Facets *face
     if (round == 0) PatchJoinFacets_Private(facets, level->num_nodes, label, parent);
     changed = PETSC_FALSE;
     for (PetscInt i = 0; i < level->num_nodes; i++) {
-      const PetscInt root = PatchFindRoot_Private(parent, i);
+      const PetscInt root = DisjointSetsFind(parent, i);
 
       if (PetscRealPart(label[i]) > PetscRealPart(label[root])) label[root] = label[i];
     }
     for (PetscInt i = 0; i < level->num_nodes; i++) {
-      const PetscInt root = PatchFindRoot_Private(parent, i);
+      const PetscInt root = DisjointSetsFind(parent, i);
 
       if (label[i] == label[root]) continue;
       label[i] = label[root];

@@ -2,30 +2,20 @@
    exchange the sets of common nodes until nothing changes. */
 #include "base/compat.h"
 #include "support/components.h"
-
-/* The representative of the set of a node, with path halving. */
-static PetscInt ComponentsFind_Private(PetscInt parent[], PetscInt node)
-{
-  while (parent[node] != node) {
-    parent[node] = parent[parent[node]];
-    node         = parent[node];
-  }
-  return node;
-}
+#include "kernel/disjointsets.h"
 
 /* Sets of local nodes that this rank's cells join.
    [out] parent - representative of the set of each node [num_nodes] */
 static void ComponentsUnite_Private(const Level *level, PetscInt parent[])
 {
-  for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = i;
+  DisjointSetsInitialize(level->num_nodes, parent);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt first = level->cell_start[c];
 
     for (PetscInt i = first + 1; i < level->cell_start[c + 1]; i++)
-      parent[ComponentsFind_Private(parent, level->cell_nodes[i])] =
-          ComponentsFind_Private(parent, level->cell_nodes[first]);
+      DisjointSetsUnite(parent, level->cell_nodes[first], level->cell_nodes[i]);
   }
-  for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = ComponentsFind_Private(parent, i);
+  for (PetscInt i = 0; i < level->num_nodes; i++) parent[i] = DisjointSetsFind(parent, i);
 }
 
 /* The largest global node of the component of each local node. [in] parent - of ComponentsUnite_Private();
