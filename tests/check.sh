@@ -10,7 +10,8 @@ case "${1:-}" in
 esac
 . tests/packages.sh
 . tests/libraries.sh
-install_missing $build_packages $pip_packages
+install_missing $build_packages
+if [ $long = ON ]; then install_missing $pip_packages; fi
 install_missing $python_packages & # what only the tests need, while the program is built
 installing=$!
 set_up_mpi

@@ -82,7 +82,9 @@ PetscErrorCode MortiseInitialize(int *argc, char ***argv)
     library.started_mpi = PETSC_TRUE;
   }
   PetscInitialized(&runs);
-  error = runs ? OptionsJoin() : argc && argv && *argc ? InitializePetsc_Private(*argc, *argv) : InitializePetsc_Private(1, nobody);
+  error = runs                    ? OptionsJoin()
+          : argc && argv && *argc ? InitializePetsc_Private(*argc, *argv)
+                                  : InitializePetsc_Private(1, nobody);
   if (!error) error = InitializeTypes_Private(start);
   if (!error && !ProcessIsOwn()) error = UserErrorSilence();
   if (!error) library.ready = PETSC_TRUE;

@@ -43,8 +43,10 @@ static PetscErrorCode GraphComponentsJoin_Private(Mat A, const GhostExchange *gh
 
       if (values[c] == 0) continue;
       PetscCall(GhostExchangeFind(ghosts, columns[c], &at));
-      if (at < ghosts->n) DisjointSetsUnite(forest->parent, i, at);
-      else PetscCall(GraphComponentsAddCut_Private(forest, i, at));
+      if (at < ghosts->n)
+        DisjointSetsUnite(forest->parent, i, at);
+      else
+        PetscCall(GraphComponentsAddCut_Private(forest, i, at));
     }
     PetscCall(MatRestoreRow(A, ghosts->begin + i, &num, &columns, &values));
   }

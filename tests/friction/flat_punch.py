@@ -1,6 +1,6 @@
 """A flat rigid punch that is pressed on: its middle sticks. c/a by an independent program (collocation on the half plane). In the slip zone the slip grows like
 (x - c)^(3/2) from its edge on, which gives c between nodes."""
-from judge import near, require
+from judge import LONG, near, require
 
 CASES = ((0.3, 0.2, 0.36038), (0.3, 0.3, 0.68909), (0, 0.25, 0.0991), (0, 0.5, 0.52191))  # Poisson's ratio, coefficient, c/a
 
@@ -14,7 +14,7 @@ def edge(table):
 
 
 def judge(run):
-    for poisson, coefficient, expected in CASES:
+    for poisson, coefficient, expected in CASES if LONG else CASES[::3]:
         delivered = (poisson, coefficient) == CASES[0][:2]
         done = run if delivered else run.again("-block_poisson", str(poisson), "-punch_friction", str(coefficient), name=f"p{poisson}_{coefficient}")
         table = done.table("punch")

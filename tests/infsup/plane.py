@@ -11,7 +11,7 @@ DENSE = 32  # facets up to which pairing.py takes less than a second
 def judge(run):
     for n, m in RATIOS:
         faces = ["-upper_dm_plex_box_faces", f"{n},{n}", "-lower_dm_plex_box_faces", f"{m},{m}"]
-        betas = numbers(run, "joint", 5 if LONG else 4, *faces)
+        betas = numbers(run, "joint", 5 if LONG else 3, *faces)
         require_flat(f"{n}:{m}", betas, 0.03)
         for level, beta in enumerate(betas):
             if max(n, m) * 2**level <= DENSE:

@@ -1,6 +1,8 @@
 """Figures of the companions, and what is drawn in them: words and where they stand."""
+import contextlib
 import importlib.machinery
 import importlib.util
+import io
 import pathlib
 import sys
 
@@ -19,6 +21,20 @@ def load(name="mortise-plot"):
     sys.modules[loader.name] = module
     loader.exec_module(module)
     return module
+
+
+def told(plot, *arguments):
+    """(exit code, stderr) of a companion that is loaded already: another process would import matplotlib again, for a second."""
+    words, before = io.StringIO(), sys.argv
+    sys.argv = [plot.__name__, *map(str, arguments)]
+    try:
+        with contextlib.redirect_stderr(words):
+            code = plot.main()
+    except SystemExit as end:  # of argparse
+        code = end.code
+    finally:
+        sys.argv = before
+    return code, words.getvalue()
 
 
 def not_drawn(figure):

@@ -1,10 +1,8 @@
 """Colours of bodies by any field: what is drawn is what the file has, and a name that it does not have is answered by those that it has."""
-import subprocess
-import sys
 
 import numpy as np
 
-from canvas import PLOT, load, require_tidy, words_of
+from canvas import load, require_tidy, told, words_of
 from judge import near, require, same
 
 
@@ -31,8 +29,7 @@ def judge(run):
     require(len(points) == len(number), "colours are not those of nodes")
     for colour, says in (("tempreature", "has no tempreature; there are von_mises"), ("stress", "stress:xx"), ("gap:x", "has no components"),
                          ("displacement:q", "the components of displacement are x, y")):
-        done = subprocess.run([sys.executable, PLOT / "mortise-plot", prefix, "--colour", colour, "-o", run.folder / "none.png"],
-                              capture_output=True, text=True, check=False)
-        same(f"exit code of --colour {colour}", done.returncode, 1)
-        require(f"--colour {colour}: " in done.stderr and says in done.stderr and done.stderr.count("\n") == 1, done.stderr)
+        code, words = told(plot, prefix, "--colour", colour, "-o", run.folder / "none.png")
+        same(f"exit code of --colour {colour}", code, 1)
+        require(f"--colour {colour}: " in words and says in words and words.count("\n") == 1, words)
         require(not (run.folder / "none.png").exists(), "there is a picture of a mistake")

@@ -21,4 +21,4 @@ def options_of(number):
 
 
 def judge(run):
-    scatter.judge(run, options_of, lambda options: BULK * max(scatter_space.RELATIVE, scatter.tolerance_of(options)))
+    scatter.judge(run, options_of, lambda options: BULK * max(scatter_space.RELATIVE, scatter.tolerance_of(options)), every=2)

@@ -66,4 +66,4 @@ def options_of(number):
 
 
 def judge(run):
-    scatter.judge(run, options_of, lambda options: RELATIVE, every=2)
+    scatter.judge(run, options_of, lambda options: RELATIVE, every=4)

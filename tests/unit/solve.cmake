@@ -1,6 +1,6 @@
 mortise_unit(pdas LAYER pdas RANKS 1 2 LONG_RANKS 3 SANITIZED 1)
-mortise_unit(solve LAYER solve RANKS 1 2 LONG_RANKS 3 SANITIZED 1)
-mortise_unit(bound LAYER solve RANKS 1 2 LONG_RANKS 3 SANITIZED 1)
+mortise_unit(solve LAYER solve RANKS 1 LONG_RANKS 2 3)
+mortise_unit(bound LAYER solve RANKS 1 LONG_RANKS 2 3)
 mortise_unit(solvefaults LAYER solve RANKS 1 2 FAULTS)
 mortise_unit(dissection LAYER pdas RANKS 1 3)
 mortise_unit(residual LAYER pdas RANKS 1 3)
