@@ -8,7 +8,7 @@
 
 #include "uniform.h"
 
-enum { MAX_GRID = 4, MAX_SHAPES = 64, NUM_MESHES = 60, NUM_ROUNDS = 6, MAX_CELLS = 20000 };
+enum { MAX_GRID = 4, MAX_SHAPES = 64, NUM_MESHES = 20, NUM_ROUNDS = 6, MAX_CELLS = 20000 };
 
 /* A mesh of a unit cube or square: bricks cut into simplices. Facets have the number 2 d + end of the side of the cube that they are on. */
 typedef struct {
