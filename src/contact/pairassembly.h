@@ -59,7 +59,7 @@ PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support 
 
 /* Chooses the nodes that may keep a multiplier, by coverage and supports; removes fixed directions from their
    normals. Not collective. */
-PetscErrorCode MultiplierStatusDecide(const Level *level, const Support *support, PairAssembly *assembly);
+PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, PairAssembly *assembly);
 
 /* Resolves nodes of which several pairs would constrain nearly the same direction. The first of these pairs
    keeps the node, or the one with the nearest partner, if partners lie behind each other at the same facets.

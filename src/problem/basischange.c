@@ -85,8 +85,8 @@ static PetscErrorCode NodeBasesListNodes_Private(VI vi, NodeBases *bases)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a support fixes a node along a tangent: the node cannot slide, and the support takes the tangential
-   force. */
+/* Whether a support fixes a node along a tangent: the node cannot slide, or needs no tie, and the support takes
+   the tangential force. */
 static PetscBool BasisChangeIsHeld_Private(const Support *held, PetscInt node, const PetscReal tangent[])
 {
   const PetscInt dim = held->dim;
@@ -106,8 +106,7 @@ static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscI
 {
   const Pair      pair = vi->pairs[p];
   const PetscInt  dim = vi->level->dim, node = pair->nodes[k], s = bases->of_node[node];
-  const PetscBool slides = ScenePairHasFriction(pair->spec);
-  const PetscInt  num    = pair->spec->type == PAIR_TIED || slides ? dim : 1;
+  const PetscInt  num    = pair->spec->type == PAIR_TIED || ScenePairHasFriction(pair->spec) ? dim : 1;
   PetscReal      *F      = &bases->F[s * dim * dim];
   const PetscReal weight = pair->D[k] * vi->scene->thickness;
 
@@ -119,7 +118,7 @@ static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscI
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt unknown = used[s]++;
 
-    if (slides && i && BasisChangeIsHeld_Private(&vi->support, node, &F[unknown * dim])) continue;
+    if (i && BasisChangeIsHeld_Private(&vi->support, node, &F[unknown * dim])) continue;
     vi->row_pair[*row]      = p;
     vi->row_node[*row]      = k;
     vi->row_direction[*row] = i;
