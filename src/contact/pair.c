@@ -233,6 +233,35 @@ static void PairTakePoints_Private(PairAssembly *assembly, Pair pair)
   assembly->normals     = NULL;
 }
 
+/* Sums of the rows of D, over D_aa. Collective. */
+static PetscErrorCode PairSetShares_Private(Level *level, Pair pair)
+{
+  const PetscScalar *value;
+  Vec                one, sums;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(pair->num, &pair->share));
+  PetscCall(LevelCreateVec(level, 1, &one));
+  PetscCall(VecSet(one, 1.0));
+  PetscCall(VecDuplicate(one, &sums));
+  if (pair->from_nodal) {
+    PetscCall(MatMult(pair->from_nodal, one, sums));
+    PetscCall(VecAXPY(one, 1.0, sums));
+  }
+  PetscCall(VecGetArrayRead(one, &value));
+  for (PetscInt k = 0; k < pair->num; k++) pair->share[k] = PetscRealPart(value[pair->nodes[k]]);
+  PetscCall(VecRestoreArrayRead(one, &value));
+  if (pair->D_other) {
+    PetscCall(MatMult(pair->D_other, one, sums));
+    PetscCall(VecGetArrayRead(sums, &value));
+    for (PetscInt k = 0; k < pair->num; k++) pair->share[k] += PetscRealPart(value[pair->nodes[k]]) / pair->D[k];
+    PetscCall(VecRestoreArrayRead(sums, &value));
+  }
+  PetscCall(VecDestroy(&sums));
+  PetscCall(VecDestroy(&one));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Redistributes removed rows and collects kept ones. Collective. */
 static PetscErrorCode PairFinish_Private(Level *level, const Support *support, PairAssembly *assembly, Pair pair)
 {
@@ -242,6 +271,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   PetscCall(QuadraticBasisCreate(level, &assembly->nonmortar, sums->carrier, &pair->to_nodal, &pair->from_nodal));
   PetscCall(RedistributionApply(level, &assembly->nonmortar, assembly->status, sums, &pair->D_other));
   PetscCall(PairCollectNodes_Private(level, support, assembly, pair));
+  PetscCall(PairSetShares_Private(level, pair));
   pair->M            = sums->M;
   pair->arm          = sums->arm;
   sums->arm          = NULL;
@@ -325,6 +355,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(MatDestroy(&(*pair)->to_nodal));
   PetscCall(MatDestroy(&(*pair)->from_nodal));
   PetscCall(PetscFree4((*pair)->partly_covered, (*pair)->fully_covered, (*pair)->overlap, (*pair)->cover));
+  PetscCall(PetscFree((*pair)->share));
   PetscCall(PetscFree((*pair)->beyond));
   PetscCall(PetscFree((*pair)->boundary));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));

@@ -29,6 +29,7 @@ struct _n_Pair {
   PetscInt        *nodes;   /* their local node numbers, ascending [num] */
   PetscReal       *D;       /* weights D_aa > 0 [num] */
   PetscReal       *gap;     /* nodal gaps G_a / D_aa, signed, open > 0 [num] */
+  PetscReal       *share;   /* sum of the row of D over D_aa: gaps and slips over it are geometric ones [num] */
   PetscReal       *overlap; /* the largest -g at a point of the facets around a node, plus its change by curves [num] */
   PetscReal       *normal;  /* unit, out of the nonmortar body [num][dim] */
   PetscReal *frame; /* rows (n, t..) orthonormal; t along the fixed direction where there is one [num][dim][dim] */

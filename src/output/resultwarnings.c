@@ -48,7 +48,7 @@ static PetscErrorCode SummaryWarnTiedGap_Private(const SummaryInput *in, PetscIn
   for (PetscInt a = 0; a < pair->num; a++) {
     const PetscReal *x = &pair->level->coords[pair->nodes[a] * dim];
 
-    most[0] = PetscMax(most[0], PetscAbsReal(pair->gap[a]));
+    most[0] = PetscMax(most[0], PetscAbsReal(pair->gap[a]) / pair->share[a]);
     for (PetscInt k = 0; k < dim; k++) {
       most[1 + k] = PetscMax(most[1 + k], x[k]);
       most[4 + k] = PetscMax(most[4 + k], -x[k]);
@@ -165,7 +165,7 @@ static PetscErrorCode SummaryFindOverlap_Private(const SummaryInput *in, PetscIn
     PetscReal un = 0;
 
     for (PetscInt k = 0; k < dim; k++) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
-    size[0] = PetscMax(size[0], -pair->gap[a]);
+    size[0] = PetscMax(size[0], -pair->gap[a] / pair->share[a]);
     size[1] = PetscMax(size[1], PetscAbsReal(un));
   }
   PetscCall(VecRestoreArrayRead(in->fields->u, &u));

@@ -132,9 +132,10 @@ static PetscErrorCode SetupWarningsGetWidestGap_Private(VI vi, PetscReal *widest
   PetscFunctionBeginUser;
   *widest = 0;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const Pair pair = vi->pairs[vi->row_pair[r]];
+    const Pair     pair = vi->pairs[vi->row_pair[r]];
+    const PetscInt a    = vi->row_node[r];
 
-    if (pair->spec->type == PAIR_CONTACT) *widest = PetscMax(*widest, pair->gap[vi->row_node[r]]);
+    if (pair->spec->type == PAIR_CONTACT) *widest = PetscMax(*widest, pair->gap[a] / pair->share[a]);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, widest, 1, MPIU_REAL, MPIU_MAX, vi->level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

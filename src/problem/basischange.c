@@ -85,8 +85,8 @@ static PetscErrorCode NodeBasesListNodes_Private(VI vi, NodeBases *bases)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a support fixes a node along a tangent: the node cannot slide, or needs no tie, and the support takes
-   the tangential force. */
+/* Whether a support fixes a node along a tangent: the node cannot slide, or needs no tie there. The support
+   takes the tangential force. */
 static PetscBool BasisChangeIsHeld_Private(const Support *held, PetscInt node, const PetscReal tangent[])
 {
   const PetscInt dim = held->dim;

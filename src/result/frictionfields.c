@@ -104,7 +104,7 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
 
       for (PetscInt k = 0; k < dim; k++) {
         traction[pair->nodes[node.node] * dim + k] -= node.q[i] * t[k];
-        slip[pair->nodes[node.node] * dim + k] -= node.slack[i] * t[k];
+        slip[pair->nodes[node.node] * dim + k] -= node.slack[i] / pair->share[node.node] * t[k];
       }
     }
   }
@@ -240,7 +240,7 @@ PetscErrorCode FrictionSumCompute(Fields fields, PetscInt p, FrictionSum *sum)
     const PetscInt  status = fields->row_status[node.row];
 
     if (node.pair != p) continue;
-    largest = PetscMax(largest, StatusIsContact(status) ? VectorNorm(node.num, node.slack) : 0);
+    if (StatusIsContact(status)) largest = PetscMax(largest, VectorNorm(node.num, node.slack) / pair->share[node.node]);
     if (status == STATUS_SLIP && node.pressure > 0) sums[ADD_SLIPPING] += weight;
     for (PetscInt i = 0; i < node.num; i++) {
       const PetscReal *t = &pair->frame[(node.node * dim + vi->row_direction[node.row + 1 + i]) * dim];

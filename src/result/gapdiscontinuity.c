@@ -27,7 +27,7 @@ static PetscReal GapDiscontinuityGetRow_Private(Fields fields, PetscInt p, Petsc
 
   if (fields->vi->row_pair[r] != p || fields->vi->row_direction[r] != 0) return 0;
   if (!StatusIsContact(fields->row_status[r])) return 0;
-  return PetscMax(-pair->gap[a] - pair->overlap[a], 0);
+  return PetscMax(-pair->gap[a] / pair->share[a] - pair->overlap[a], 0);
 }
 
 /* Of this rank, [out] largest - displacement of the pair's nodes along their normals, [out] size - number

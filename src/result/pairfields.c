@@ -103,7 +103,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
     if (vi->row_pair[r] != p || vi->row_direction[r] != 0) continue;
     node                  = pair->nodes[vi->row_node[r]];
     nodal->pressure[node] = lambda[r];
-    nodal->gap[node]      = slack[r];
+    nodal->gap[node]      = slack[r] / pair->share[vi->row_node[r]];
     nodal->force[node]    = lambda[r] * fields->row_weight[r];
     nodal->status[node]   = fields->row_status[r];
     nodal->covered[node]  = PETSC_TRUE;

@@ -38,7 +38,7 @@ static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, P
   if (vi->row_direction[r] != 0) return;
   sums[ADD_NORMAL] += lambda * weight;
   for (PetscInt k = 0; k < dim; k++) sums[ADD_CENTRE + k] += lambda * fields->row_moment[r * dim + k];
-  largest[MAX_CLOSED] = PetscMax(largest[MAX_CLOSED], -slack);
+  largest[MAX_CLOSED] = PetscMax(largest[MAX_CLOSED], -slack / pair->share[a]);
   if (fields->row_status[r] == STATUS_OPEN) return;
   if (lambda > 0) sums[ADD_AREA] += weight;
   sums[ADD_ACTIVE] += 1;

@@ -327,10 +327,10 @@ static PetscErrorCode SetupPairCompute_Private(const Pair pair, SetupPair *setup
                        .largest     = SetupExtremeNone_Private(-1),
                        .reach       = pair->reach};
   for (PetscInt a = 0; a < pair->num; a++) {
-    const PetscReal *x = &level->coords[pair->nodes[a] * level->dim];
+    const PetscReal *x = &level->coords[pair->nodes[a] * level->dim], gap = pair->gap[a] / pair->share[a];
 
-    SetupExtremeAdd_Private(&setup->least, 1, pair->gap[a], level->dim, x);
-    SetupExtremeAdd_Private(&setup->largest, -1, pair->gap[a], level->dim, x);
+    SetupExtremeAdd_Private(&setup->least, 1, gap, level->dim, x);
+    SetupExtremeAdd_Private(&setup->largest, -1, gap, level->dim, x);
   }
   PetscCall(SetupExtremeReduce_Private(level->comm, 1, &setup->least));
   PetscCall(SetupExtremeReduce_Private(level->comm, -1, &setup->largest));

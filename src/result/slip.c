@@ -27,7 +27,10 @@ static PetscErrorCode SlipAddComponent_Private(const Pair pair, Vec u, PetscInt 
   for (PetscInt a = 0; a < pair->num; a++) relative[a * dim + k] = PetscRealPart(value[pair->nodes[a]]);
   PetscCall(VecRestoreArrayRead(own, &value));
   PetscCall(VecGetArrayRead(sums, &value));
-  for (PetscInt a = 0; a < pair->num; a++) relative[a * dim + k] += PetscRealPart(value[pair->nodes[a]]) / pair->D[a];
+  for (PetscInt a = 0; a < pair->num; a++) {
+    relative[a * dim + k] += PetscRealPart(value[pair->nodes[a]]) / pair->D[a];
+    relative[a * dim + k] /= pair->share[a];
+  }
   PetscCall(VecRestoreArrayRead(sums, &value));
   PetscCall(VecDestroy(&own));
   PetscCall(VecDestroy(&sums));

@@ -180,9 +180,10 @@ static PetscErrorCode PairStateCreate_Private(Fields fields, PetscInt p, const C
   SlipTakeTangential(pair, state->relative, state->tangential);
   PetscCall(SlipFindFacetSizes(fields, p, state->size));
   for (PetscInt a = 0; a < num; a++) {
-    state->patch[a]  = -1;
-    state->force[a]  = 0;
-    state->linear[a] = pair->gap[a] - VectorDot(dim, &pair->normal[a * dim], &state->relative[a * dim]);
+    state->patch[a] = -1;
+    state->force[a] = 0;
+    state->linear[a] =
+        pair->gap[a] - pair->share[a] * VectorDot(dim, &pair->normal[a * dim], &state->relative[a * dim]);
   }
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(fields->slack, &slack));

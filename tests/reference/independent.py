@@ -206,9 +206,10 @@ class Solution:
         the other side have no pressure."""
         found = {node: (0.0, math.nan, NONE, 0.0) for node in pair.nodes}
         for r in reversed(range(len(self.rows))):  # the first row of a tied node is the normal one
-            owner, node, *_ = self.rows[r]
-            if owner is pair:
-                found[node] = (self.p[r], self.gap[r], int(self.status[r]), self.p[r] * pair.weight[node])
+            owner, node, _, _, weight = self.rows[r]
+            if owner is pair:  # with rows of removed nodes, that of a node has the sum of their gaps
+                gap = self.gap[r] * weight / pair.weight[node]
+                found[node] = (self.p[r], gap, int(self.status[r]), self.p[r] * pair.weight[node])
         for c, share in pair.share.items():
             found[c] = (sum(w * found[a][0] for a, w in share.items()), math.nan, NONE, 0.0)
         for facet in pair.facets if pair.linear else []:
