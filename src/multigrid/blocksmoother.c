@@ -30,17 +30,20 @@ static const PetscReal FLAT_EXTENT = 0.05;
    all axes. */
 static const PetscReal MIN_LONG_PART = 0.01, MAX_THICK_PART = 0.2;
 
-/* The couplings of one node. */
+/* The couplings of all nodes, and of one of them. */
 typedef struct {
   const Operator      *op;
   PetscInt             dim;
   const GhostExchange *ghosts;
-  PetscReal           *x;     /* positions [n + num][dim] */
-  PetscReal           *scale; /* 1 / root of the diagonal [n + num] */
-  PetscReal           *cut;   /* threshold [n + num] */
-  PetscInt             num, max;
-  PetscInt            *node;     /* neighbours and the node itself [num] */
-  PetscReal           *strength; /* negative for the node itself [num] */
+  PetscReal           *x;             /* positions [n + num][dim] */
+  PetscReal           *scale;         /* 1 / root of the diagonal [n + num] */
+  PetscReal           *cut;           /* threshold [n + num] */
+  PetscInt            *start;         /* [n + 1] */
+  PetscInt            *all_nodes;     /* [start[n]] */
+  PetscReal           *all_strengths; /* [start[n]] */
+  PetscInt             num;
+  const PetscInt      *node;     /* neighbours and the node itself [num] */
+  const PetscReal     *strength; /* negative for the node itself [num] */
   PetscBool           *chosen;   /* chosen ones [num] */
 } Stencil;
 
@@ -61,6 +64,51 @@ static PetscErrorCode BlockSmootherScale_Private(Stencil *stencil, GhostExchange
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Strengths of the couplings of all nodes. K has full blocks: all rows of a node have the same columns. */
+static PetscErrorCode BlockSmootherGather_Private(Stencil *stencil)
+{
+  const PetscInt dim = stencil->dim, begin = dim * stencil->ghosts->begin, n = stencil->ghosts->n;
+  PetscInt       num, longest = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(n + 1, &stencil->start));
+  stencil->start[0] = 0;
+  for (PetscInt i = 0; i < n; i++) {
+    PetscCall(MatGetRow(stencil->op->K, begin + dim * i, &num, NULL, NULL));
+    stencil->start[i + 1] = stencil->start[i] + num / dim;
+    longest               = PetscMax(longest, num / dim);
+    PetscCall(MatRestoreRow(stencil->op->K, begin + dim * i, &num, NULL, NULL));
+  }
+  PetscCall(PetscMalloc1(stencil->start[n], &stencil->all_nodes));
+  PetscCall(PetscCalloc1(stencil->start[n], &stencil->all_strengths));
+  PetscCall(PetscMalloc1(longest, &stencil->chosen));
+  for (PetscInt i = 0; i < n; i++) {
+    PetscInt  *node     = &stencil->all_nodes[stencil->start[i]];
+    PetscReal *strength = &stencil->all_strengths[stencil->start[i]];
+
+    for (PetscInt r = 0; r < dim; r++) {
+      const PetscInt    *columns;
+      const PetscScalar *values;
+
+      PetscCall(MatGetRow(stencil->op->K, begin + dim * i + r, &num, &columns, &values));
+      for (PetscInt j = 0; j < num / dim; j++) {
+        if (!r) PetscCall(GhostExchangeFind(stencil->ghosts, columns[j * dim] / dim, &node[j]));
+        strength[j] -= PetscRealPart(values[j * dim + r]) * stencil->scale[i] * stencil->scale[node[j]];
+      }
+      PetscCall(MatRestoreRow(stencil->op->K, begin + dim * i + r, &num, &columns, &values));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The couplings of one node. */
+static void BlockSmootherSelect_Private(Stencil *stencil, PetscInt node)
+{
+  stencil->num      = stencil->start[node + 1] - stencil->start[node];
+  stencil->node     = &stencil->all_nodes[stencil->start[node]];
+  stencil->strength = &stencil->all_strengths[stencil->start[node]];
+}
+
 static PetscErrorCode BlockSmootherBeginStencil_Private(const Operator *op, GhostExchange *ghosts, Stencil *stencil)
 {
   const PetscInt dim = op->dim, num = ghosts->n + ghosts->num;
@@ -78,6 +126,7 @@ static PetscErrorCode BlockSmootherBeginStencil_Private(const Operator *op, Ghos
   }
   PetscCall(PetscFree(along));
   PetscCall(BlockSmootherScale_Private(stencil, ghosts));
+  PetscCall(BlockSmootherGather_Private(stencil));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -86,39 +135,10 @@ static PetscErrorCode BlockSmootherEndStencil_Private(Stencil *stencil)
   PetscFunctionBeginUser;
   PetscCall(PetscFree(stencil->x));
   PetscCall(PetscFree2(stencil->scale, stencil->cut));
-  PetscCall(PetscFree(stencil->node));
-  PetscCall(PetscFree(stencil->strength));
+  PetscCall(PetscFree(stencil->start));
+  PetscCall(PetscFree(stencil->all_nodes));
+  PetscCall(PetscFree(stencil->all_strengths));
   PetscCall(PetscFree(stencil->chosen));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* K has full blocks: all rows of a node have the same columns. */
-static PetscErrorCode BlockSmootherGather_Private(Stencil *stencil, PetscInt node)
-{
-  const PetscInt dim = stencil->dim;
-
-  PetscFunctionBeginUser;
-  for (PetscInt r = 0; r < dim; r++) {
-    PetscInt           num;
-    const PetscInt    *columns;
-    const PetscScalar *values;
-
-    PetscCall(MatGetRow(stencil->op->K, dim * (stencil->ghosts->begin + node) + r, &num, &columns, &values));
-    if (num / dim > stencil->max) {
-      stencil->max = 2 * (num / dim);
-      PetscCall(PetscRealloc(stencil->max * sizeof(PetscInt), &stencil->node));
-      PetscCall(PetscRealloc(stencil->max * sizeof(PetscReal), &stencil->strength));
-      PetscCall(PetscRealloc(stencil->max * sizeof(PetscBool), &stencil->chosen));
-    }
-    stencil->num = num / dim;
-    for (PetscInt j = 0; j < stencil->num; j++) {
-      if (!r) PetscCall(GhostExchangeFind(stencil->ghosts, columns[j * dim] / dim, &stencil->node[j]));
-      if (!r) stencil->strength[j] = 0;
-      stencil->strength[j] -=
-          PetscRealPart(values[j * dim + r]) * stencil->scale[node] * stencil->scale[stencil->node[j]];
-    }
-    PetscCall(MatRestoreRow(stencil->op->K, dim * (stencil->ghosts->begin + node) + r, &num, &columns, &values));
-  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -159,7 +179,7 @@ static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, Ghost
 
     stencil->cut[i] = PETSC_MAX_REAL;
     if (!open[i]) continue;
-    PetscCall(BlockSmootherGather_Private(stencil, i));
+    BlockSmootherSelect_Private(stencil, i);
     for (PetscInt j = 0; j < stencil->num; j++) strongest = PetscMax(strongest, stencil->strength[j]);
     if (!BlockSmootherIsFlatFrom_Private(stencil, i, strong * strongest)) continue;
     stencil->cut[i] = strong * strongest;
@@ -175,18 +195,15 @@ static PetscErrorCode BlockSmootherSetThresholds_Private(Stencil *stencil, Ghost
 static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *graph)
 {
   const GhostExchange *ghosts = stencil->ghosts;
-  PetscInt            *start, *column = NULL, max = 0;
-  PetscScalar         *ones = NULL;
+  PetscInt            *start, *column;
+  PetscScalar         *ones;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(ghosts->n + 1, &start));
+  PetscCall(PetscMalloc1(stencil->start[ghosts->n], &column));
   start[0] = 0;
   for (PetscInt i = 0; i < ghosts->n; i++) {
-    PetscCall(BlockSmootherGather_Private(stencil, i));
-    if (start[i] + stencil->num > max) {
-      max = 2 * (start[i] + stencil->num);
-      PetscCall(PetscRealloc(max * sizeof(PetscInt), &column));
-    }
+    BlockSmootherSelect_Private(stencil, i);
     start[i + 1] = start[i];
     for (PetscInt j = 0; j < stencil->num; j++) {
       const PetscInt at = stencil->node[j];
@@ -215,7 +232,7 @@ static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const Pets
   PetscFunctionBeginUser;
   PetscCall(VecZeroEntries(sum));
   for (PetscInt i = 0; i < stencil->ghosts->n; i++) {
-    PetscCall(BlockSmootherGather_Private(stencil, i));
+    BlockSmootherSelect_Private(stencil, i);
     for (PetscInt j = 0; j < stencil->num; j++) stencil->chosen[j] = (PetscBool)(label[stencil->node[j]] == label[i]);
     PetscCall(VecSetValue(sum, (PetscInt)label[i], (BlockSmootherIsFlat_Private(stencil, i) ? 0 : 1) - MAX_THICK_PART,
                           ADD_VALUES));

@@ -35,24 +35,52 @@ static inline void CoarseStiffnessAdd_Private(PetscInt bs, PetscInt a, PetscInt 
     for (PetscInt l = 0; l < bs; l++) sum[bs * k + l] += w * (transposed ? V[bs * l + k] : V[bs * k + l]);
 }
 
-/* C += P'K P. To be inlined where bs is known. */
-static inline void CoarseStiffnessSum_Private(PetscInt bs, const SymmetricBlocks *K, const Weights *P, Product *product)
-{
-  const PetscScalar *V = K->value;
+/* One row of blocks of (U + D/2) P, K = U + D + U'. */
+typedef struct {
+  PetscInt     num, *column; /* [num] */
+  PetscBool   *listed;       /* [columns of P] */
+  PetscScalar *value;        /* 0 where not listed [columns of P][bs][bs] */
+} HalfRow;
 
+/* Sums up row i. */
+static inline void CoarseStiffnessSetRow_Private(PetscInt bs, const SymmetricBlocks *K, PetscInt i, const Weights *P,
+                                                 HalfRow *row)
+{
+  const PetscScalar *V = &K->value[(size_t)K->first[i] * (size_t)(bs * bs)];
+
+  for (PetscInt at = K->diagonal[i]; at < K->start[i + 1]; at++, V += bs * bs) {
+    const PetscInt j = K->column[at];
+
+    for (PetscInt q = P->start[j]; q < P->start[j + 1]; q++) {
+      const PetscInt  b = P->column[q];
+      const PetscReal w = PetscRealPart(P->value[q]) * (i == j ? 0.5 : 1);
+
+      if (!row->listed[b]) row->column[row->num++] = b;
+      row->listed[b] = PETSC_TRUE;
+      for (PetscInt k = 0; k < bs * bs; k++) row->value[bs * bs * b + k] += w * V[k];
+    }
+  }
+}
+
+/* C += P'(U + D/2) P + its transpose. To be inlined where bs is known. */
+static inline void CoarseStiffnessSum_Private(PetscInt bs, const SymmetricBlocks *K, const Weights *P, HalfRow *row,
+                                              Product *product)
+{
   for (PetscInt i = 0; i < K->num; i++) {
-    for (PetscInt at = K->diagonal[i]; at < K->start[i + 1]; at++, V += bs * bs) {
-      const PetscInt j = K->column[at];
+    CoarseStiffnessSetRow_Private(bs, K, i, P, row);
+    while (row->num > 0) {
+      const PetscInt b = row->column[--row->num];
+      PetscScalar   *V = &row->value[bs * bs * b];
 
       for (PetscInt p = P->start[i]; p < P->start[i + 1]; p++) {
-        for (PetscInt q = P->start[j]; q < P->start[j + 1]; q++) {
-          const PetscInt  a = P->column[p], b = P->column[q];
-          const PetscReal w = PetscRealPart(P->value[p] * P->value[q]);
+        const PetscInt  a = P->column[p];
+        const PetscReal w = PetscRealPart(P->value[p]);
 
-          if (a <= b) CoarseStiffnessAdd_Private(bs, a, b, w, PETSC_FALSE, V, product);
-          if (b <= a && i != j) CoarseStiffnessAdd_Private(bs, b, a, w, PETSC_TRUE, V, product);
-        }
+        if (a <= b) CoarseStiffnessAdd_Private(bs, a, b, w, PETSC_FALSE, V, product);
+        if (b <= a) CoarseStiffnessAdd_Private(bs, b, a, w, PETSC_TRUE, V, product);
       }
+      for (PetscInt k = 0; k < bs * bs; k++) V[k] = 0;
+      row->listed[b] = PETSC_FALSE;
     }
   }
 }
@@ -62,6 +90,7 @@ static PetscErrorCode CoarseStiffnessCreateOfBlocks_Private(Level *coarse, const
                                                             Mat *product)
 {
   Weights   P;
+  HalfRow   row = {.num = 0};
   Product   sum = {.missing = PETSC_FALSE};
   PetscBool done;
 
@@ -70,10 +99,12 @@ static PetscErrorCode CoarseStiffnessCreateOfBlocks_Private(Level *coarse, const
   PetscCall(MatGetRowIJ(nodal, 0, PETSC_FALSE, PETSC_FALSE, &P.num, &P.start, &P.column, &done));
   PetscCheck(done && P.num == K->num, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A prolongation of other nodes");
   PetscCall(MatSeqAIJGetArrayRead(nodal, &P.value));
+  PetscCall(PetscCalloc3(sum.C.num, &row.column, sum.C.num, &row.listed, sum.C.num * K->bs * K->bs, &row.value));
   if (K->bs == 2)
-    CoarseStiffnessSum_Private(2, K, &P, &sum);
+    CoarseStiffnessSum_Private(2, K, &P, &row, &sum);
   else
-    CoarseStiffnessSum_Private(3, K, &P, &sum);
+    CoarseStiffnessSum_Private(3, K, &P, &row, &sum);
+  PetscCall(PetscFree3(row.column, row.listed, row.value));
   PetscCheck(!sum.missing, PETSC_COMM_SELF, PETSC_ERR_PLIB, "A fine cell is no part of a coarse one");
   PetscCall(MatSeqAIJRestoreArrayRead(nodal, &P.value));
   PetscCall(MatRestoreRowIJ(nodal, 0, PETSC_FALSE, PETSC_FALSE, &P.num, &P.start, &P.column, &done));

@@ -58,7 +58,7 @@ static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, const float
   else
     SymmetricBlocksMult(&s->own, factor, xa, ya);
   PetscCall(VecRestoreArrayRead(x, &xa));
-  PetscCall(PetscLogFlops(4.0 * s->own.first[s->own.num] * s->bs * s->bs));
+  PetscCall(PetscLogFlops(2.0 * (s->own.start[s->own.num] + s->own.num) * s->bs * s->bs));
   if (s->ghosts) {
     PetscCall(VecScatterEnd(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
     PetscCall(VecGetArrayRead(s->ghosts, &xa));
@@ -315,6 +315,7 @@ static PetscErrorCode StiffnessCreateShell_Private(MPI_Comm comm, Stiffness *s, 
 
   PetscFunctionBeginUser;
   s->node = -1;
+  PetscCall(SymmetricBlocksShare(&s->own));
   PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, s, K));
   PetscCall(MatSetBlockSize(*K, s->bs));
   PetscCall(MatGetOwnershipRange(*K, &s->begin, NULL));

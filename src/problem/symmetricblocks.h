@@ -11,8 +11,9 @@ typedef struct {
   PetscInt     bs, num;        /* size of a block, number of rows of blocks */
   PetscInt    *start, *column; /* blocks of every row, stored or not, ascending [num+1], [start[num]] */
   PetscInt    *diagonal;       /* index into column of the diagonal block [num] */
-  PetscInt    *first;          /* index into value of the diagonal block; the blocks right of it follow [num+1] */
-  PetscScalar *value;          /* [first[num]][bs][bs] */
+  PetscInt    *first;          /* index into value of the diagonal block; the blocks right of it follow [num] */
+  PetscInt     num_values;     /* blocks that are stored */
+  PetscScalar *value;          /* [num_values][bs][bs] */
 } SymmetricBlocks;
 
 /* Creates a matrix of zeros. Not collective.
@@ -23,6 +24,8 @@ PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[]
                                      SymmetricBlocks *blocks);
 /* Not collective. */
 PetscErrorCode SymmetricBlocksDestroy(SymmetricBlocks *blocks);
+/* Stores equal rows of numbers once: from now on they are not to be changed. Not collective. */
+PetscErrorCode SymmetricBlocksShare(SymmetricBlocks *blocks);
 /* The stored block of row i and column j >= i, which must be in the pattern. Not collective. Borrowed
    [bs][bs] */
 PetscScalar *SymmetricBlocksAt(const SymmetricBlocks *blocks, PetscInt i, PetscInt j);

@@ -1,4 +1,5 @@
-/* test_symmetricblocks.c -- products with a random symmetric matrix in blocks against the sum of its entries. */
+/* test_symmetricblocks.c -- products with a random symmetric matrix in blocks against the sum of its entries; equal
+   rows. */
 #include "base/compat.h"
 #include "problem/symmetricblocks.h"
 #include <test.h>
@@ -39,6 +40,28 @@ static PetscErrorCode CreateRandom(PetscInt bs, SymmetricBlocks *blocks, PetscSc
         SymmetricBlocksAt(blocks, i, j)[k] = dense[bs * i + k / bs][bs * j + k % bs];
     }
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A band of blocks that are the same in all rows, but for one number of the fourth one. */
+static PetscErrorCode CreateBand(PetscInt bs, SymmetricBlocks *blocks)
+{
+  PetscInt *start, *column;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(NUM + 1, &start));
+  PetscCall(PetscMalloc1(3 * NUM, &column));
+  start[0] = 0;
+  for (PetscInt i = 0; i < NUM; i++) {
+    start[i + 1] = start[i];
+    for (PetscInt j = PetscMax(i - 1, 0); j <= PetscMin(i + 1, NUM - 1); j++) column[start[i + 1]++] = j;
+  }
+  PetscCall(SymmetricBlocksCreate(bs, NUM, start, column, blocks));
+  for (PetscInt i = 0; i < NUM; i++) {
+    for (PetscInt j = i; j <= PetscMin(i + 1, NUM - 1); j++)
+      for (PetscInt k = 0; k < bs * bs; k++) SymmetricBlocksAt(blocks, i, j)[k] = 1. / (1 + k + 10 * (j - i));
+  }
+  SymmetricBlocksAt(blocks, 3, 4)[0] += PETSC_MACHINE_EPSILON;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -92,6 +115,30 @@ static PetscErrorCode TestGetRow(PetscInt bs)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Rows with the same numbers are stored once, and products and rows do not change. */
+static PetscErrorCode TestShare(PetscInt bs)
+{
+  SymmetricBlocks blocks;
+  PetscScalar     x[SIZE], before[SIZE], after[SIZE], rows[2][SYMMETRIC_BLOCKS_MAX * SIZE] = {{0}};
+  PetscInt        stored;
+
+  PetscFunctionBeginUser;
+  PetscCall(CreateBand(bs, &blocks));
+  for (PetscInt i = 0; i < NUM * bs; i++) x[i] = Uniform(-1, 1);
+  SymmetricBlocksMult(&blocks, 1, x, before);
+  SymmetricBlocksGetRow(&blocks, NUM - 1, SIZE, rows[0]);
+  stored = blocks.num_values;
+  PetscCall(SymmetricBlocksShare(&blocks));
+  CHECK(stored == 2 * NUM - 1);
+  CHECK(blocks.num_values == 2 + 2 + 1); // all rows, the fourth one, the last one
+  SymmetricBlocksMult(&blocks, 1, x, after);
+  SymmetricBlocksGetRow(&blocks, NUM - 1, SIZE, rows[1]);
+  for (PetscInt i = 0; i < NUM * bs; i++) CHECK_NEAR(PetscRealPart(after[i]), PetscRealPart(before[i]), 0);
+  for (PetscInt k = 0; k < bs * SIZE; k++) CHECK_NEAR(PetscRealPart(rows[1][k]), PetscRealPart(rows[0][k]), 0);
+  PetscCall(SymmetricBlocksDestroy(&blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -99,6 +146,7 @@ int main(int argc, char **argv)
   for (PetscInt bs = 2; bs <= SYMMETRIC_BLOCKS_MAX; bs++) {
     PetscCall(TestMult(bs));
     PetscCall(TestGetRow(bs));
+    PetscCall(TestShare(bs));
   }
   PetscCall(PetscFinalize());
   return 0;
