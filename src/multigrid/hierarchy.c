@@ -44,8 +44,8 @@ static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the largest eigenvalue of a level is that of the next one, too, if cells there are parts of its cells:
-   in the plane it grows with (1 - O(1/n^2)) for n cells along an edge. */
+/* Whether the largest eigenvalue of a level is that of the next one, too, if cells there are parts of its
+   cells: with n cells along an edge it lacks O(1/n^2) of its limit. */
 static PetscBool HierarchyTellsLargest_Private(const HierarchyLevel *level)
 {
   static const PetscInt MANY = 10000; /* unknowns */

@@ -22,6 +22,7 @@ PetscErrorCode OperatorDestroy(Operator *op)
   PetscCall(MatDestroy(&op->T));
   PetscCall(MatDestroy(&op->inverse));
   PetscCall(MatDestroy(&op->Z));
+  PetscCall(MatDestroy(&op->cycle_Z));
   PetscCall(PetscFree(op->fixed));
   PetscCall(PetscFree(op->constrained));
   PetscCall(PetscFree(op->tight));

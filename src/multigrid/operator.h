@@ -20,6 +20,7 @@ typedef struct {
   Mat       T;                            /* NULL for the identity */
   Mat       inverse;                      /* of T; NULL with T, and after HierarchyCreate() */
   Mat       Z;                            /* (T'K T - K) / stiffness, few entries; NULL with T */
+  Mat       cycle_Z;                      /* the same for MatMultAdd() of a cycle, like S */
   PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */
   PetscInt num_constrained, *constrained; /* unknowns that are combinations of displacements; owned [num_constrained] */
   PetscBool       *tight;  /* nodes of cells that nearly keep their volume; NULL without; owned [nodes of this rank] */

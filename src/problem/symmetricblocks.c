@@ -5,8 +5,8 @@
    of its column (eq. 13.2). Numbers in single precision take 0.6 of the time again. With AVX2, blocks of
    space in the cache take 0.6 of the time.
 
-   Where cells are translations of each other, nearly all rows have the same numbers. They are stored once, and
-   then lie in the cache: products take a third of the time. */
+   Where cells are translations of each other, nearly all rows have the same numbers. They are stored once,
+   and then lie in the cache: products take a third of the time. */
 #include <string.h>
 #include "problem/symmetricblocks.h"
 #include "base/compat.h"
@@ -159,7 +159,7 @@ static inline void SymmetricBlocksAddProduct_Private(const PetscInt bs, const Sy
                                                      const PetscScalar *restrict x, PetscScalar *restrict y)
 {
   for (PetscInt i = 0; i < blocks->num; i++) {
-    size_t      first = (size_t)(blocks->first[i] * bs * bs);
+    size_t      first = (size_t)blocks->first[i] * (size_t)(bs * bs);
     PetscScalar xi[SYMMETRIC_BLOCKS_MAX], sum[SYMMETRIC_BLOCKS_MAX];
 
     for (PetscInt k = 0; k < bs; k++) {

@@ -7,6 +7,7 @@
 #include "base/compat.h"
 #include "problem/coarsestiffness.h"
 #include "problem/elasticity.h"
+#include "problem/fewblocks.h"
 #include "problem/stiffness.h"
 #include "solve/cellprolongation.h"
 #include "solve/meshlevels.h"
@@ -237,22 +238,26 @@ static PetscErrorCode MeshLevelsMarkTight_Private(VI vi, PetscBool **tight)
 
 /* Largest entry on the diagonal of K over the smallest one up to which cycles multiply in single precision.
    The rounding of a stiff body, 6e-8 of its entries, weighs on a softer one. Iterations in double and in
-   single precision: 37 and 37 of two blocks with a range of 3e4, 114 and 125 with 3e6, 136 and 325 with 3e8; 26
-   and 26 of `hertz3d` of order 2, 8e4 by its graded cells. */
+   single precision: 37 and 37 of two blocks with a range of 3e4, 114 and 125 with 3e6, 136 and 325 with 3e8;
+   26 and 26 of `hertz3d` of order 2, 8e4 by its graded cells. */
 static const PetscReal SINGLE_RANGE = 1e6;
 
-/* Products of a cycle. [out] S - owned by the caller */
-static PetscErrorCode MeshLevelsCreateProducts_Private(VI vi, Mat *S)
+/* Products of a cycle with K and Z. [out] S, Z - owned by the caller; Z is NULL like that of vi */
+static PetscErrorCode MeshLevelsCreateProducts_Private(VI vi, Mat *S, Mat *Z)
 {
   PetscReal largest, smallest;
 
   PetscFunctionBeginUser;
   PetscCall(VecMax(vi->diagonal, NULL, &largest));
   PetscCall(VecMin(vi->diagonal, NULL, &smallest));
-  if (largest <= SINGLE_RANGE * smallest)
+  if (largest <= SINGLE_RANGE * smallest) {
     PetscCall(StiffnessCreateSingle(vi->K, 1 / vi->stiffness, S));
-  else
+    if (vi->Z) PetscCall(FewBlocksCreate(vi->Z, vi->level->dim, Z));
+  } else {
     PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, S));
+    PetscCall(PetscObjectReference((PetscObject)vi->Z));
+    *Z = vi->Z;
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -275,7 +280,7 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
   PetscCall(OperatorSetInequality(op, inequality->A, inequality->b, inequality->upper, W));
   PetscCall(PetscObjectReference((PetscObject)op->K));
   PetscCall(PetscObjectReference((PetscObject)op->diagonal));
-  PetscCall(MeshLevelsCreateProducts_Private(vi, &op->S));
+  PetscCall(MeshLevelsCreateProducts_Private(vi, &op->S, &op->cycle_Z));
   PetscCall(PetscObjectReference((PetscObject)op->T));
   PetscCall(PetscObjectReference((PetscObject)op->Z));
   PetscCall(VICreateInverseBasis(vi, &op->inverse));
