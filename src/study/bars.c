@@ -141,17 +141,26 @@ static PetscBool BarsPeakIsFine_Private(const BarHistory *history, const BarPath
                                                                             num, values));
 }
 
+/* The increment of a largest pressure for each halving of its facets: a mesh may halve them twice. Facets
+   that stay as they are count as one halving. [in] before, size - of these facets on both meshes */
+static PetscReal BarsGetStep_Private(PetscReal step, PetscReal before, PetscReal size)
+{
+  return step / PetscMax(1, PetscLog2Real(before / size));
+}
+
 /* Whether a largest pressure grows by increments that do not shrink, on meshes that resolve the contact. */
 static PetscBool BarsGrows_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
 {
   const PetscInt first = history->num - PEAK_MESHES;
+  const BarMesh *mesh  = history->mesh;
+  PetscReal      least = 0;
 
-  if (first < 1 || !BarsPeakIsFine_Private(history, path, first, history->mesh[first].peak[p])) return PETSC_FALSE;
+  if (first < 1 || !BarsPeakIsFine_Private(history, path, first, mesh[first].peak[p])) return PETSC_FALSE;
   for (PetscInt j = first; j < history->num; j++) {
-    const PetscReal step = Q[j] - Q[j - 1];
+    const PetscReal step = BarsGetStep_Private(Q[j] - Q[j - 1], mesh[j - 1].peak[p], mesh[j].peak[p]);
 
-    if (!(step > 0)) return PETSC_FALSE;
-    if (j > first && !(step > STILL_GROWS * (Q[j - 1] - Q[j - 2]))) return PETSC_FALSE;
+    if (!(step > least)) return PETSC_FALSE;
+    least = STILL_GROWS * step;
   }
   return (PetscBool)(Q[history->num - 1] - Q[first - 1] > SEEN_GROWING * Q[history->num - 1]);
 }
