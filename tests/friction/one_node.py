@@ -97,7 +97,8 @@ def judge(run):
         row = min(range(len(table["x"])), key=lambda r: abs(table["x"][r]))
         fits = [s for s in all_of if s[0] == table["status"][row]]
         scale = max(map(abs, force))
-        near("slip", min((abs(s[1] - table["slip_x"][row]) for s in fits), default=1) if table["status"][row] else 0, 0, absolute=1e-7 * scale)
+        # The slip at the node is the mean over the facet, whose other end is held: the row of that end is part of this one.
+        near("slip", min((abs(s[1] / 2 - table["slip_x"][row]) for s in fits), default=1) if table["status"][row] else 0, 0, absolute=1e-7 * scale)
         require(fits, f"status {table['status'][row]}, possible {all_of}")
         kinds.add(fits[0][0])
         several += len(all_of) > 1
