@@ -2,7 +2,7 @@
 
    A Mat searches the place of every entry, and moves other entries to make room. Here nodes are searched,
    once for all entries of a block. Entries in rows of other ranks are sent once, as sums, which are made in
-   the order of the cells. */
+   the order of the cells. Rows that couple nodes of one rank alone go through no Mat. */
 #include "problem/cellsums.h"
 #include "base/compat.h"
 
@@ -96,8 +96,32 @@ void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], Symmet
   }
 }
 
-/* Sums over ranks. */
-static PetscErrorCode CellSumsGather_Private(Level *level, const SymmetricBlocks *sums, Mat *A)
+/* The rows of this rank that no other rank adds to, and that have no node of another rank. Collective. [out]
+   complete - [num_owned] */
+static PetscErrorCode CellSumsFindComplete_Private(Level *level, const SymmetricBlocks *sums, PetscBool complete[])
+{
+  PetscScalar *mark;
+  Vec          shared, local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &shared));
+  PetscCall(VecGhostGetLocalForm(shared, &local));
+  PetscCall(VecGetArray(local, &mark));
+  for (PetscInt i = level->num_owned; i < level->num_nodes; i++) mark[i] = 1;
+  PetscCall(VecRestoreArray(local, &mark));
+  PetscCall(VecGhostRestoreLocalForm(shared, &local));
+  PetscCall(LevelShareVec(shared, ADD_VALUES));
+  PetscCall(VecGetArray(shared, &mark));
+  for (PetscInt i = 0; i < level->num_owned; i++) // columns ascend, and nodes of other ranks are last
+    complete[i] = (PetscBool)(mark[i] == 0 && sums->column[sums->start[i + 1] - 1] < level->num_owned);
+  PetscCall(VecRestoreArray(shared, &mark));
+  PetscCall(VecDestroy(&shared));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sums over ranks, but for complete rows. */
+static PetscErrorCode CellSumsGather_Private(Level *level, const SymmetricBlocks *sums, const PetscBool complete[],
+                                             Mat *A)
 {
   const PetscInt dim   = level->dim;
   PetscInt       width = 0, *nodes;
@@ -110,6 +134,7 @@ static PetscErrorCode CellSumsGather_Private(Level *level, const SymmetricBlocks
   for (PetscInt i = 0; i < sums->num; i++) {
     const PetscInt num = sums->start[i + 1] - sums->start[i];
 
+    if (i < level->num_owned && complete[i]) continue;
     for (PetscInt j = 0; j < num; j++) nodes[j] = level->node_global[sums->column[sums->start[i] + j]];
     SymmetricBlocksGetRow(sums, i, dim * num, rows);
     PetscCall(MatSetValuesBlocked(*A, 1, &level->node_global[i], num, nodes, rows, ADD_VALUES));
@@ -123,6 +148,7 @@ static PetscErrorCode CellSumsGather_Private(Level *level, const SymmetricBlocks
 PetscErrorCode CellSumsFinish(Level *level, SymmetricBlocks *sums, Mat *K)
 {
   PetscMPIInt size;
+  PetscBool  *complete;
   Mat         A;
 
   PetscFunctionBeginUser;
@@ -131,9 +157,12 @@ PetscErrorCode CellSumsFinish(Level *level, SymmetricBlocks *sums, Mat *K)
     PetscCall(StiffnessCreate(level->comm, sums, K));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(CellSumsGather_Private(level, sums, &A));
+  PetscCall(PetscMalloc1(level->num_owned, &complete));
+  PetscCall(CellSumsFindComplete_Private(level, sums, complete));
+  PetscCall(CellSumsGather_Private(level, sums, complete, &A));
+  PetscCall(StiffnessCreateOfRows(A, sums, complete, K));
+  PetscCall(PetscFree(complete));
   PetscCall(SymmetricBlocksDestroy(sums));
-  PetscCall(StiffnessCreateOfMatrix(A, K));
   PetscCall(MatDestroy(&A));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

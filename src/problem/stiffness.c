@@ -340,9 +340,21 @@ PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Which blocks a matrix has.
+/* Rows of StiffnessCreateOfRows(). */
+typedef struct {
+  const SymmetricBlocks *sums;
+  const PetscBool       *complete; /* NULL for none */
+} OwnRows;
+
+static PetscBool OwnRowsHave_Private(const OwnRows *rows, PetscInt i)
+{
+  return (PetscBool)(rows->complete && rows->complete[i]);
+}
+
+/* Which blocks a matrix and complete rows have.
    [out] start, column - by block rows; owned by the caller [num+1], [start[num]] */
-static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt num, PetscInt **start, PetscInt **column)
+static PetscErrorCode StiffnessListBlocks_Private(Mat A, const OwnRows *rows, PetscInt bs, PetscInt num,
+                                                  PetscInt **start, PetscInt **column)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num + 1, start));
@@ -353,6 +365,12 @@ static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt n
       const PetscInt *columns;
       PetscInt        size;
 
+      if (OwnRowsHave_Private(rows, i)) {
+        size            = rows->sums->start[i + 1] - rows->sums->start[i];
+        (*start)[i + 1] = (*start)[i] + size;
+        if (pass) PetscCall(PetscArraycpy(&(*column)[(*start)[i]], &rows->sums->column[rows->sums->start[i]], size));
+        continue;
+      }
       PetscCall(MatGetRow(A, bs * i, &size, &columns, NULL));
       (*start)[i + 1] = (*start)[i] + size / bs;
       for (PetscInt j = 0; j < size && pass; j += bs) (*column)[(*start)[i] + j / bs] = columns[j] / bs;
@@ -362,16 +380,23 @@ static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt n
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Copies values of the blocks of each row from one of them on.
-   [in] skip - entries of the row before; NULL for none [num] */
-static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, PetscInt bs, PetscInt num, const PetscInt start[],
-                                                  const PetscInt diagonal[], PetscScalar value[])
+/* Copies values of the blocks of each row from one of them on; complete rows from sums.
+   [in] diagonal - the first block of each row; NULL for all [num] */
+static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, const OwnRows *rows, PetscInt bs, PetscInt num,
+                                                  const PetscInt start[], const PetscInt diagonal[],
+                                                  PetscScalar value[])
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt skip = diagonal ? bs * (diagonal[i] - start[i]) : 0;
     PetscInt       size = 0;
 
+    if (OwnRowsHave_Private(rows, i)) {
+      size = (start[i + 1] - diagonal[i]) * bs * bs;
+      PetscCall(PetscArraycpy(value, &rows->sums->value[(size_t)rows->sums->first[i] * (size_t)(bs * bs)], size));
+      value += size;
+      continue;
+    }
     for (PetscInt k = 0; k < bs; k++) {
       const PetscScalar *values;
 
@@ -388,13 +413,14 @@ static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, PetscInt bs, PetscInt n
    [in] ghost - their global numbers, ascending */
 static PetscErrorCode StiffnessSetGhosts_Private(Mat A, Mat others, const PetscInt ghost[], Stiffness *s)
 {
-  IS  from;
-  Vec x;
+  const OwnRows none = {NULL, NULL};
+  IS            from;
+  Vec           x;
 
   PetscFunctionBeginUser;
-  PetscCall(StiffnessListBlocks_Private(others, s->bs, s->own.num, &s->start, &s->column));
+  PetscCall(StiffnessListBlocks_Private(others, &none, s->bs, s->own.num, &s->start, &s->column));
   PetscCall(PetscMalloc1((size_t)s->start[s->own.num] * s->bs * s->bs, &s->value));
-  PetscCall(StiffnessCopyBlocks_Private(others, s->bs, s->own.num, s->start, NULL, s->value));
+  PetscCall(StiffnessCopyBlocks_Private(others, &none, s->bs, s->own.num, s->start, NULL, s->value));
   PetscCall(MatCreateVecs(A, &x, NULL));
   PetscCall(MatCreateVecs(others, &s->ghosts, NULL));
   PetscCall(VecGetSize(s->ghosts, &s->num_ghosts));
@@ -409,6 +435,14 @@ static PetscErrorCode StiffnessSetGhosts_Private(Mat A, Mat others, const PetscI
 
 PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K)
 {
+  PetscFunctionBeginUser;
+  PetscCall(StiffnessCreateOfRows(A, NULL, NULL, K));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessCreateOfRows(Mat A, const SymmetricBlocks *sums, const PetscBool complete[], Mat *K)
+{
+  const OwnRows   rows = {sums, complete};
   Stiffness      *s;
   Mat             own = A, others;
   PetscBool       sequential;
@@ -422,9 +456,9 @@ PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K)
   n /= s->bs;
   PetscCall(PetscObjectTypeCompare((PetscObject)A, MATSEQAIJ, &sequential));
   if (!sequential) PetscCall(MatMPIAIJGetSeqAIJ(A, &own, &others, &ghost));
-  PetscCall(StiffnessListBlocks_Private(own, s->bs, n, &start, &column));
+  PetscCall(StiffnessListBlocks_Private(own, &rows, s->bs, n, &start, &column));
   PetscCall(SymmetricBlocksCreate(s->bs, n, start, column, &s->own));
-  PetscCall(StiffnessCopyBlocks_Private(own, s->bs, n, start, s->own.diagonal, s->own.value));
+  PetscCall(StiffnessCopyBlocks_Private(own, &rows, s->bs, n, start, s->own.diagonal, s->own.value));
   if (!sequential) PetscCall(StiffnessSetGhosts_Private(A, others, ghost, s));
   PetscCall(StiffnessCreateShell_Private(PetscObjectComm((PetscObject)A), s, K));
   PetscFunctionReturn(PETSC_SUCCESS);
