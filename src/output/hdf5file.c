@@ -132,7 +132,7 @@ static const char *HDF5FileGetUnit_Private(const char name[])
       {"normal", "out of the nonmortar body, before the motion; where there is a constraint, its direction"},
       {"status", "0 open, 1 contact, 2 tied, 3 slip, 4 stick, -1 no constraint"},
       {"tangential_traction", "friction that the mortar side exerts on the nonmortar body, in the unit of stress"},
-      {"slip", "of the nonmortar side against the mortar side, in this load step"},
+      {"slip", "of the nonmortar side against the mortar side, in this load step; NAN where there is no constraint"},
       {"body", "index of the body, in the order of -bodies"},
       {"region", "0 in no region of the body, else which of -<body>_regions, from 1 on"},
       {"piece", "number of the connected component, over all bodies"}};

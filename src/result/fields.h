@@ -66,6 +66,10 @@ typedef struct {
 
 /* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */
 PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal);
+/* Values at nodes with multipliers of a pair, for all of its side: at removed nodes the mean of the
+   neighbours that took over. Collective.
+   [in,out] nodal, covered - [num_owned] */
+PetscErrorCode PairFieldsSpread(const Pair pair, PetscReal nodal[], PetscBool covered[]);
 /* Takes the pressure from nodes beyond the partner's end, for files and pictures: it is that of the covered
    sliver of a facet, which ends before the node. Not collective. */
 void           PairFieldsOmitBeyond(const Pair pair, PairFields *nodal);

@@ -84,23 +84,24 @@ PetscErrorCode FrictionFieldsSetStatus(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[])
+/* Where there is a multiplier, the vectors of a pair. [in,out] traction, slip - [num_owned][dim] */
+static PetscErrorCode FrictionFieldsSet_Private(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[])
 {
-  const Pair       pair = fields->vi->pairs[p];
-  const PetscInt   dim  = fields->vi->level->dim;
+  const VI         vi   = fields->vi;
+  const Pair       pair = vi->pairs[p];
+  const PetscInt   dim  = vi->level->dim;
   const PetscReal *lambda, *slack;
   FrictionNode     node;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscArrayzero(traction, fields->vi->level->num_owned * dim));
-  PetscCall(PetscArrayzero(slip, fields->vi->level->num_owned * dim));
-  if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
   PetscCall(VecGetArrayRead(fields->slack, &slack));
+  for (PetscInt r = 0; r < vi->num_rows; r++)
+    for (PetscInt k = 0; k < dim && vi->row_pair[r] == p; k++) slip[pair->nodes[vi->row_node[r]] * dim + k] = 0;
   for (PetscInt a = 0, next = 0; FrictionFieldsNext_Private(fields, lambda, slack, a, &next, &node); a++) {
     if (node.pair != p) continue;
     for (PetscInt i = 0; i < node.num; i++) {
-      const PetscReal *t = &pair->frame[(node.node * dim + fields->vi->row_direction[node.row + 1 + i]) * dim];
+      const PetscReal *t = &pair->frame[(node.node * dim + vi->row_direction[node.row + 1 + i]) * dim];
 
       for (PetscInt k = 0; k < dim; k++) {
         traction[pair->nodes[node.node] * dim + k] -= node.q[i] * t[k];
@@ -110,6 +111,44 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* From the nodes with multipliers to all of the side, but nodes beyond the partner's end.
+   [in,out] traction - [num_owned][dim] */
+static PetscErrorCode FrictionFieldsSpread_Private(Fields fields, PetscInt p, PetscReal traction[])
+{
+  const VI       vi   = fields->vi;
+  const Pair     pair = vi->pairs[p];
+  const PetscInt dim = vi->level->dim, n = vi->level->num_owned;
+  PetscReal     *component;
+  PetscBool     *covered;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(n, &component, n, &covered));
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscCall(PetscArrayzero(covered, n));
+    for (PetscInt r = 0; r < vi->num_rows; r++)
+      if (vi->row_pair[r] == p) covered[pair->nodes[vi->row_node[r]]] = PETSC_TRUE;
+    for (PetscInt a = 0; a < n; a++) component[a] = traction[a * dim + k];
+    PetscCall(PairFieldsSpread(pair, component, covered));
+    for (PetscInt i = 0; i < pair->num_beyond; i++) component[pair->beyond[i]] = 0;
+    for (PetscInt a = 0; a < n; a++) traction[a * dim + k] = component[a];
+  }
+  PetscCall(PetscFree2(component, covered));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[])
+{
+  const Level *level = fields->vi->level;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(traction, level->num_owned * level->dim));
+  for (PetscInt i = 0; i < level->num_owned * level->dim; i++) slip[i] = NAN;
+  if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(FrictionFieldsSet_Private(fields, p, traction, slip));
+  PetscCall(FrictionFieldsSpread_Private(fields, p, traction));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

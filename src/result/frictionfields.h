@@ -23,8 +23,11 @@ typedef struct {
 /* Status of the rows of pairs with friction: stick or slip where they are in contact, for the normal row and
    its tangents. Not collective. */
 PetscErrorCode FrictionFieldsSetStatus(Fields fields);
-/* Vectors at owned nodes of pair p, 0 off its nonmortar side. Not collective. [out] traction - exerted by the
-   mortar side, slip - of the nonmortar side against it, in this load step [num_owned][dim] */
+/* Vectors at owned nodes of pair p. Collective.
+   [out] traction - exerted by the mortar side; at removed nodes the mean of neighbours, as the pressure; 0
+   off the nonmortar side [num_owned][dim];
+   [out] slip - of the nonmortar side against it, in this load step; NAN without a multiplier
+   [num_owned][dim] */
 PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[]);
 /* Nodes of pair p in contact that a support holds along the side while the mortar side there is free:
    friction on that is lost. Collective.

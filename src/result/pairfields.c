@@ -71,8 +71,7 @@ static PetscErrorCode PairFieldsInterpolate_Private(const Pair pair, PetscReal n
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* From the nodes with multipliers to all of the side. [in,out] nodal, covered - [num_owned] */
-static PetscErrorCode PairFieldsSpread_Private(const Pair pair, PetscReal nodal[], PetscBool covered[])
+PetscErrorCode PairFieldsSpread(const Pair pair, PetscReal nodal[], PetscBool covered[])
 {
   PetscFunctionBeginUser;
   if (pair->D_other) PetscCall(PairFieldsExtend_Private(pair, nodal, covered));
@@ -110,7 +109,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
-  PetscCall(PairFieldsSpread_Private(pair, nodal->pressure, nodal->covered));
+  PetscCall(PairFieldsSpread(pair, nodal->pressure, nodal->covered));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -155,7 +154,7 @@ PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
       component[pair->nodes[a]] += lambda[r] * pair->frame[(a * dim + vi->row_direction[r]) * dim + k];
       covered[pair->nodes[a]] = PETSC_TRUE;
     }
-    PetscCall(PairFieldsSpread_Private(pair, component, covered));
+    PetscCall(PairFieldsSpread(pair, component, covered));
     for (PetscInt a = 0; a < n; a++) t[a * dim + k] = component[a];
   }
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
