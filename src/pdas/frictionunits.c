@@ -391,7 +391,7 @@ PetscErrorCode FrictionUnitsFreeze(FrictionUnits *units, const PetscReal mu[], c
   for (PetscInt i = 0; i < units->n; i++) most[2] = PetscMax(most[2], PetscAbsReal(units->y[i]));
   for (PetscInt a = 0; a < units->num; a++) {
     FrictionUnit   *unit  = &units->unit[a];
-    const PetscReal limit = given[a] + mu[a] * PetscMax(units->r[unit->normal], 0);
+    const PetscReal limit = given[a] + (unit->closed ? mu[a] * PetscMax(units->r[unit->normal], 0) : 0);
 
     most[0] = PetscMax(most[0], PetscAbsReal(limit - unit->bound));
     most[1] = PetscMax(most[1], limit);

@@ -117,12 +117,15 @@ PetscErrorCode FrictionLawSetApproach(VI vi, Vec approach)
 PetscErrorCode FrictionLawCreate(VI vi)
 {
   FrictionLaw *law;
-  PetscInt     n = 0;
+  PetscInt     num_nodes = 0, all, n = 0;
 
   PetscFunctionBeginUser;
   if (!SceneHasFriction(vi->scene)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt r = 0; r < vi->num_rows; r++) num_nodes += FrictionLawCountTangents_Private(vi, r) > 0;
+  PetscCallMPI(MPI_Allreduce(&num_nodes, &all, 1, MPIU_INT, MPI_SUM, vi->level->comm));
+  if (!all) PetscFunctionReturn(PETSC_SUCCESS); // no node faces a partner
   PetscCall(PetscNew(&law));
-  for (PetscInt r = 0; r < vi->num_rows; r++) law->n += FrictionLawCountTangents_Private(vi, r) > 0;
+  law->n = num_nodes;
   PetscCall(PetscMalloc5(law->n, &law->normal, FRICTION_TANGENTS * law->n, &law->tangent, law->n, &law->coefficient,
                          law->n, &law->bound, FRICTION_TANGENTS * law->n, &law->origin));
   for (PetscInt r = 0; r < vi->num_rows; r++)

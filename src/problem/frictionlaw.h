@@ -5,7 +5,7 @@
 #include "problem/vi.h"
 
 /* Evaluates coefficients and bounds of all pairs at their nodes, in the scales of vi; vi->friction, NULL
-   where no pair has friction. Raises a user error for a negative one. Collective. */
+   where no node has friction. Raises a user error for a negative one. Collective. */
 PetscErrorCode FrictionLawCreate(VI vi);
 /* The same for other data, scales, or another origin. Collective. */
 PetscErrorCode FrictionLawUpdate(VI vi);
