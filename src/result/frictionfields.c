@@ -314,8 +314,9 @@ PetscErrorCode FrictionResidualCompute(Fields fields, PetscReal tolerance, Frict
   PetscCall(FrictionFieldsLargest_Private(fields, lambda, slack, &largest));
   for (PetscInt a = 0, next = 0; FrictionFieldsNext_Private(fields, lambda, slack, a, &next, &node); a++) {
     const PetscReal s = VectorNorm(node.num, node.slack), q = VectorNorm(node.num, node.q);
-    const PetscReal p    = fields->p_ref + (fields->row_noise[node.row] + fields->row_noise[node.row + 1]) / tolerance;
-    const PetscReal size = p * (largest + FIELDS_ROUNDOFF / tolerance * fields->u_ref);
+    const PetscReal p     = fields->p_ref + (fields->row_noise[node.row] + fields->row_noise[node.row + 1]) / tolerance;
+    const PetscReal noise = FIELDS_ROUNDOFF / tolerance * fields->u_ref; // of slips; the law multiplies it by G
+    const PetscReal size  = p * (largest + noise);
     PetscReal       off = 0, work = 0;
 
     for (PetscInt i = 0; i < node.num; i++) {
@@ -324,7 +325,7 @@ PetscErrorCode FrictionResidualCompute(Fields fields, PetscReal tolerance, Frict
     }
     if (!(p > 0 && size > 0)) continue;
     worst[0] = PetscMax(worst[0], (q - node.limit) / p);
-    worst[1] = PetscMax(worst[1], PetscSqrtReal(off) / size);
+    worst[1] = PetscMax(worst[1], PetscSqrtReal(off) / (size + node.limit * noise));
     worst[2] = PetscMax(worst[2], -work / size);
   }
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));

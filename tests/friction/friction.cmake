@@ -51,6 +51,8 @@ mortise_scene_test(clamp CHECK clamp.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(patch CHECK patch.py RANKS 1 3 LABELS sanitize)
 mortise_scene_test(patch_quadratic SCENE patch CHECK patch.py ARGS -order 2)
 mortise_scene_test(patch_triangles SCENE patch CHECK patch.py ARGS -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
+# A bound far above all tractions, as for sides that never slide.
+mortise_scene_test(patch_bound SCENE patch CHECK patch.py RANKS 1 ARGS -joint_friction 0 -joint_friction_bound 1e6)
 mortise_scene_test(between SCENE patch CHECK between.py RANKS 1 3 ARGS -order 2 -joint_multipliers vertices)
 mortise_scene_test(patch_swapped SCENE patch CHECK patch.py RANKS 1 3 ARGS -joint_nonmortar upper:bottom -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 7,3)
 mortise_scene_test(patch_solid CHECK patch.py RANKS 1 3)
