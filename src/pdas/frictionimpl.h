@@ -29,11 +29,12 @@ typedef struct {
 
 /* Units with the values and forces of their unknowns: all units on one rank, or each rank's own units. */
 typedef struct {
-  MPI_Comm      comm;    /* of the ranks that share them */
-  PetscInt      n, num;  /* unknowns; units */
-  FrictionUnit *unit;    /* [num] */
-  PetscReal    *y, *r;   /* [n] */
-  PetscInt      waiting; /* steps since the last one that descended */
+  MPI_Comm      comm;     /* of the ranks that share them */
+  PetscInt      n, num;   /* unknowns; units */
+  FrictionUnit *unit;     /* [num] */
+  PetscReal    *y, *r;    /* [n] */
+  PetscInt      waiting;  /* steps since the last one that descended */
+  PetscReal     roundoff; /* of a value, in units of the largest */
 } FrictionUnits;
 
 /* The reduced problem, on the first rank. */

@@ -14,8 +14,9 @@ static const PetscReal TIE_FRICTION = 1e-11;
 enum { SINGLE_STEPS = 10 };
 /* G / |q^| counts as at most this: the resistance to turning stays finite where slip begins. */
 static const PetscReal SLIP_BEGINS = 1 - 1e-8;
-/* Roundoff of a value, in units of the largest: it grows with the condition of S. */
-static const PetscReal ROUNDOFF = 256 * PETSC_MACHINE_EPSILON;
+/* Roundoff of a value, in units of the largest: with forces of A, and with those of S, where it grows with
+   the condition. A body that is lifted has no other forces, and the certificate allows 64 epsilon. */
+static const PetscReal ROUNDOFF_FULL = 16 * PETSC_MACHINE_EPSILON, ROUNDOFF_REDUCED = 256 * PETSC_MACHINE_EPSILON;
 /* Limits below this part of stiffness times displacement need not settle. */
 static const PetscReal LIMIT_NOISE = 1e-6;
 /* A limit above all forces. */
@@ -110,7 +111,7 @@ PetscErrorCode FrictionUnitsCreate(const ActiveSet *set, const FrictionLaw *law,
   PetscReal *sent;
 
   PetscFunctionBeginUser;
-  *units = (FrictionUnits){.comm = set->comm, .n = set->n};
+  *units = (FrictionUnits){.comm = set->comm, .n = set->n, .roundoff = ROUNDOFF_FULL};
   PetscCall(FrictionUnitsPack_Private(set, law, &units->num, &sent));
   PetscCall(PetscMalloc1(units->num, &units->unit));
   FrictionUnitsUnpack_Private(units->num, set->begin, sent, units->unit);
@@ -126,7 +127,7 @@ PetscErrorCode FrictionUnitsGather(const ActiveSet *set, const FrictionLaw *law,
   PetscReal  *sent, *all = NULL;
 
   PetscFunctionBeginUser;
-  *units = (FrictionUnits){.comm = PETSC_COMM_SELF};
+  *units = (FrictionUnits){.comm = PETSC_COMM_SELF, .roundoff = ROUNDOFF_REDUCED};
   PetscCallMPI(MPI_Comm_rank(set->comm, &rank));
   PetscCallMPI(MPI_Comm_size(set->comm, &size));
   PetscCall(FrictionUnitsPack_Private(set, law, &num, &sent));
@@ -341,7 +342,7 @@ PetscErrorCode FrictionUnitsResidual(const FrictionUnits *units, PetscReal rtol,
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 3, MPIU_REAL, MPI_SUM, units->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, units->comm));
   *residual = PetscSqrtReal(sum[0]);
-  *size     = PetscSqrtReal(sum[1]) + ROUNDOFF / rtol * PetscSqrtReal(sum[2]) * largest;
+  *size     = PetscSqrtReal(sum[1]) + units->roundoff / rtol * PetscSqrtReal(sum[2]) * largest;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -65,9 +65,10 @@ mortise_scene_test(round_punch OWN_RUNS CHECK round_punch.py)
 mortise_scene_test(jaeger SCENE fretting CHECK jaeger.py ARGS -joint_gap "max(abs(x)-1,0)^2/320" -upper_dm_plex_box_faces 64,16
   -lower_dm_plex_box_faces 64,16 -load_steps 1,2)
 mortise_scene_test(arch OWN_RUNS SCENE incline CHECK arch.py RANKS 1 LONG_RANKS 3)
-mortise_scene_test(no_partner SCENE held CHECK no_partner.py RANKS 1 3 ARGS -joint_nonmortar upper:right -joint_allow_empty 1 -lower_bc_displacement_bottom 0,0
+mortise_scene_test(no_partner SCENE held CHECK no_partner.py RANKS 1 LONG_RANKS 3 ARGS -joint_nonmortar upper:right -joint_allow_empty 1 -lower_bc_displacement_bottom 0,0
   -upper_bc_displacement top -upper_bc_displacement_top -0.0005,0.00086602540378443865 -upper_bc_pressure_top 0)
-mortise_scene_test(lifted CHECK lifted.py RANKS 1 3 ARGS -cross_check -pc_type truncatedmg)
+mortise_scene_test(lifted CHECK lifted.py RANKS 1 LONG_RANKS 3 ARGS -cross_check -pc_type truncatedmg)
+mortise_scene_test(lifted_stiff CHECK lifted_stiff.py RANKS 1 LONG_RANKS 3 ARGS -pc_type truncatedmg)
 mortise_scene_test(locked CHECK locked.py RANKS 1 3)
 # Roundoff decides whether a node still touches, or the motion is free.
 mortise_scene_test(sprung SCENE locked CHECK sprung.py RANKS 1 ARGS -flank_friction 0.1 -warnings_accept free_motion)
