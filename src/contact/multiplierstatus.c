@@ -1,8 +1,8 @@
 /* multiplierstatus.c -- the nodes of the nonmortar sides that carry a multiplier.
 
    A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Nodes are removed if
-   they are hardly covered, so that their pressure would be inaccurate; if their normal direction is fixed; if
-   another pair constrains them; or, tied, if a support holds them and not all nodes of their facets. */
+   they are hardly covered, so that their pressure would be inaccurate; if their normal direction is fixed; or
+   if another pair constrains them. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -98,42 +98,6 @@ static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[S
   return NODE_REMOVED;
 }
 
-/* A tie needs all directions of a node. One that a support holds leaves its row to nodes of its facets that
-   none holds. Where there are none, as across a body that is one cell wide, it keeps the row: in its free
-   directions. Collective. */
-static PetscErrorCode MultiplierStatusRemoveHeld_Private(Level *level, const Support *support, PairAssembly *assembly)
-{
-  const Facets *facets = &assembly->nonmortar;
-  PetscScalar  *mark;
-  Vec           beside, local;
-
-  PetscFunctionBeginUser;
-  if (assembly->spec->type != PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LevelCreateVec(level, 1, &beside));
-  PetscCall(VecGhostGetLocalForm(beside, &local));
-  PetscCall(VecGetArray(local, &mark));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    const PetscInt *node = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], num = ElementNumNodes(facets->type[f]);
-    PetscBool       any = PETSC_FALSE;
-
-    for (PetscInt i = 0; i < num; i++)
-      if (assembly->status[node[i]] == NODE_KEPT && support->count[node[i]] == 0) any = PETSC_TRUE;
-    for (PetscInt i = 0; any && i < num; i++) mark[node[i]] = 1;
-  }
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(beside, &local));
-  PetscCall(LevelShareVec(beside, MAX_VALUES));
-  PetscCall(VecGhostGetLocalForm(beside, &local));
-  PetscCall(VecGetArray(local, &mark));
-  for (PetscInt i = 0; i < level->num_nodes; i++)
-    if (assembly->status[i] == NODE_KEPT && support->count[i] > 0 && PetscRealPart(mark[i]) > 0)
-      assembly->status[i] = NODE_REMOVED;
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(beside, &local));
-  PetscCall(VecDestroy(&beside));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, PairAssembly *assembly)
 {
   const PetscInt  dim          = level->dim;
@@ -160,7 +124,6 @@ PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, Pair
     PetscCall(VecRestoreArray(local[i], &a[i]));
     PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
   }
-  PetscCall(MultiplierStatusRemoveHeld_Private(level, support, assembly));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

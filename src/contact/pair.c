@@ -6,6 +6,7 @@
 #include "kernel/frame.h"
 #include "contact/pair.h"
 #include "contact/pairassembly.h"
+#include "contact/heldrows.h"
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
 
@@ -270,6 +271,8 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   PetscFunctionBeginUser;
   PetscCall(QuadraticBasisCreate(level, &assembly->nonmortar, sums->carrier, &pair->to_nodal, &pair->from_nodal));
   PetscCall(RedistributionApply(level, &assembly->nonmortar, assembly->status, sums, &pair->D_other));
+  if (pair->spec->type == PAIR_TIED && sums->M)
+    PetscCall(HeldRowsPass(level, support, &assembly->nonmortar, assembly->status, sums, pair));
   PetscCall(PairCollectNodes_Private(level, support, assembly, pair));
   PetscCall(PairSetShares_Private(level, pair));
   pair->M            = sums->M;
@@ -351,6 +354,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(PairPointsDestroy(&(*pair)->points));
   PetscCall(MatDestroy(&(*pair)->M));
   PetscCall(MatDestroy(&(*pair)->arm));
+  PetscCall(MatDestroy(&(*pair)->passed));
   PetscCall(MatDestroy(&(*pair)->D_other));
   PetscCall(MatDestroy(&(*pair)->to_nodal));
   PetscCall(MatDestroy(&(*pair)->from_nodal));

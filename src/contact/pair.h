@@ -44,7 +44,8 @@ struct _n_Pair {
   Mat              D_other;  /* D_ac, c without a multiplier (node x node), or NULL where there is none */
   Mat to_nodal, from_nodal;  /* u = u~ + to_nodal u~, u~ = u + from_nodal u (node x node), or NULL where u~ = u */
   Mat M;                     /* node x node, rows of multiplier nodes; NULL for an obstacle */
-  Mat arm;                   /* of a tie across a gap: its term beside M, in blocks of size dim (eq. 5.4); else NULL */
+  Mat arm; /* of a tie: its term beside M across a gap (5.4), and beside held nodes (5.5); blocks of size dim, or NULL */
+  Mat passed; /* of a tie: w_ac Pi_c for rows that held nodes c pass on (eq. 5.5), blocks of size dim, or NULL */
   struct _n_PairPoints *points;                                      /* where the pair was integrated (pairpoints.h) */
   PetscInt              num_facets_nonmortar, num_facets_mortar;     /* of all ranks */
   PetscInt              num_multipliers, num_removed, num_uncovered; /* nodes of all ranks */

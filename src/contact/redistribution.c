@@ -102,9 +102,8 @@ static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const F
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* W = sum_k W_k, or NULL where no row is to be redistributed. */
-static PetscErrorCode RedistributionWeights_Private(Level *level, const Facets *facets, const MultiplierStatus status[],
-                                                    const MortarIntegrals *sums, Mat *W)
+PetscErrorCode RedistributionWeights(Level *level, const Facets *facets, const MultiplierStatus status[],
+                                     const MortarIntegrals *sums, Mat *W)
 {
   PetscInt *ring;
   PetscBool found;
@@ -223,7 +222,7 @@ PetscErrorCode RedistributionApply(Level *level, const Facets *facets, Multiplie
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   while (any) {
     PetscCall(MatDestroy(&W));
-    PetscCall(RedistributionWeights_Private(level, facets, status, sums, &W));
+    PetscCall(RedistributionWeights(level, facets, status, sums, &W));
     PetscCall(RedistributionRemoveOverdrawn_Private(W, sums, level->num_nodes, status, &any));
   }
   if (W) {

@@ -7,6 +7,11 @@
 /* Status of a node of the nonmortar side. */
 typedef enum { NODE_UNCOVERED, NODE_REMOVED, NODE_KEPT } MultiplierStatus;
 
+/* Weights w_ac with which kept nodes a take over the rows of removed nodes c. Collective.
+   [out] W - node x node, owned by the caller; NULL where no row is to be redistributed */
+PetscErrorCode RedistributionWeights(Level *level, const Facets *facets, const MultiplierStatus status[],
+                                     const MortarIntegrals *sums, Mat *W);
+
 /* Redistributes the rows of removed nodes c to their kept neighbours a on covered facets, w_ac = 1 / (their
      number): M_a += w_ac M_c (and the arm),  G_a += w_ac G_c,  D_other_ac = w_ac D_c + rows a and c of the
      sums' D_other.

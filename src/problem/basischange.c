@@ -235,8 +235,8 @@ static PetscErrorCode BasisChangeCountE_Private(VI vi, const Couplings *coupling
       PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
       nnz[node] += num;
       PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
-      PetscCall(CouplingsCountRow(couplings->arm[p], dim * (vi->level->node_begin + node), &num));
-      nnz[node] += (num + dim - 1) / dim;
+      PetscCall(PairArmsCount(couplings->arm[p], dim, vi->level->node_begin + node, &num));
+      nnz[node] += num;
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -290,7 +290,7 @@ static PetscErrorCode BasisChangeIsChained_Private(VI vi, const NodeBases *bases
     PetscCall(MatGetRow(C, node, &num, &columns, NULL));
     for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(marks, columns[c], 1, INSERT_VALUES));
     PetscCall(MatRestoreRow(C, node, &num, &columns, NULL));
-    PetscCall(PairArmsMark(couplings->arm[vi->row_pair[r]], vi->level->dim, vi->level->dim * node, marks));
+    PetscCall(PairArmsMark(couplings->arm[vi->row_pair[r]], vi->level->dim, node, marks));
   }
   PetscCall(VecAssemblyBegin(marks));
   PetscCall(VecAssemblyEnd(marks));

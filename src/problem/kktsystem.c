@@ -38,8 +38,8 @@ static PetscErrorCode KKTSystemCountRow_Private(VI vi, const Couplings *coupling
   } else {
     *nnz = vi->level->dim;
   }
-  PetscCall(CouplingsCountRow(pair->arm, vi->level->dim * node, &num));
-  *nnz += num;
+  PetscCall(PairArmsCount(pair->arm, vi->level->dim, node, &num));
+  *nnz += vi->level->dim * num;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,17 +1,37 @@
-/* pairarms.c -- contributions of ties' lever arms to rows of B and E. */
+/* pairarms.c -- contributions of ties' arms to rows of B and E. */
 #include "base/compat.h"
 #include "problem/pairarms.h"
 
-PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt row, Vec marks)
+PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt node, Vec marks)
 {
   PetscInt        num;
   const PetscInt *columns;
 
   PetscFunctionBeginUser;
-  if (!arm) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatGetRow(arm, row, &num, &columns, NULL));
-  for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(marks, columns[c] / dim, 1, INSERT_VALUES));
-  PetscCall(MatRestoreRow(arm, row, &num, &columns, NULL));
+  for (PetscInt i = 0; arm && i < dim; i++) {
+    PetscCall(MatGetRow(arm, dim * node + i, &num, &columns, NULL));
+    for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(marks, columns[c] / dim, 1, INSERT_VALUES));
+    PetscCall(MatRestoreRow(arm, dim * node + i, &num, &columns, NULL));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairArmsCount(Mat arm, PetscInt dim, PetscInt node, PetscInt *num)
+{
+  PetscInt        n, *nodes = NULL;
+  const PetscInt *columns;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  for (PetscInt i = 0; arm && i < dim; i++) {
+    PetscCall(MatGetRow(arm, dim * node + i, &n, &columns, NULL));
+    PetscCall(PetscRealloc(sizeof(PetscInt) * (*num + n), &nodes));
+    for (PetscInt k = 0; k < n; k++) nodes[*num + k] = columns[k] / dim;
+    *num += n;
+    PetscCall(MatRestoreRow(arm, dim * node + i, &n, &columns, NULL));
+  }
+  if (*num) PetscCall(PetscSortRemoveDupsInt(num, nodes));
+  PetscCall(PetscFree(nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

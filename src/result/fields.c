@@ -7,6 +7,7 @@
 #include "result/fields.h"
 #include "result/frictionfields.h"
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "problem/eigenstrain.h"
 
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to
@@ -55,6 +56,44 @@ static PetscErrorCode FieldsSetNodeScales_Private(Fields fields)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What the rows of a tie take over from held nodes in their own direction, F_i' sum_c w_ac Pi_c F_i s_c with
+   s_c = D_cc v_c + (D_other v)_c. [in] values - v, one per node; [in] others - D_other v;
+   [in,out] passed - increased [num_rows] */
+static PetscErrorCode FieldsAddPassed_Private(VI vi, PetscInt p, Vec values, Vec others, PetscReal passed[])
+{
+  const Pair       pair = vi->pairs[p];
+  const PetscInt   dim  = vi->level->dim;
+  const PetscReal *v, *other, *got;
+  PetscReal       *given;
+  Vec              from, to;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatCreateVecs(pair->passed, &from, &to));
+  PetscCall(VecGetArrayRead(values, &v));
+  PetscCall(VecGetArrayRead(others, &other));
+  for (PetscInt l = 0; l < dim; l++) {
+    PetscCall(VecZeroEntries(from));
+    PetscCall(VecGetArray(from, &given));
+    for (PetscInt a = 0; a < pair->num; a++)
+      given[dim * pair->nodes[a] + l] = pair->D[a] * v[pair->nodes[a]] + other[pair->nodes[a]];
+    PetscCall(VecRestoreArray(from, &given));
+    PetscCall(MatMult(pair->passed, from, to));
+    PetscCall(VecGetArrayRead(to, &got));
+    for (PetscInt r = 0; r < vi->num_rows; r++) {
+      const PetscInt   a = vi->row_node[r];
+      const PetscReal *F = &pair->frame[(a * dim + vi->row_direction[r]) * dim];
+
+      if (vi->row_pair[r] == p) passed[r] += VectorDot(dim, F, &got[dim * pair->nodes[a]]) * F[l];
+    }
+    PetscCall(VecRestoreArrayRead(to, &got));
+  }
+  PetscCall(VecRestoreArrayRead(others, &other));
+  PetscCall(VecRestoreArrayRead(values, &v));
+  PetscCall(VecDestroy(&from));
+  PetscCall(VecDestroy(&to));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Of all rows of one pair, by the ratio to D_aa, so that a thickness in row_D is kept. [in] moment - which
    moment: 0 for 1, k + 1 for x_k */
 static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, PetscInt moment)
@@ -63,12 +102,13 @@ static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, Pet
   const Pair       pair   = vi->pairs[p];
   const PetscInt   dim    = vi->level->dim;
   const PetscReal *coords = vi->level->coords, *taken = NULL, *own;
-  PetscReal       *value;
+  PetscReal       *value, *passed                     = NULL;
   Vec              values, sums, moved;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(vi->level, 1, &values));
   PetscCall(VecDuplicate(values, &sums));
+  PetscCall(VecZeroEntries(sums));
   PetscCall(VecGetArray(values, &value));
   for (PetscInt c = 0; c < vi->level->num_owned; c++) value[c] = moment ? coords[c * dim + moment - 1] : 1.0;
   PetscCall(VecRestoreArray(values, &value));
@@ -78,10 +118,12 @@ static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, Pet
     PetscCall(VecAXPY(values, 1.0, moved));
     PetscCall(VecDestroy(&moved));
   }
-  if (pair->D_other) {
-    PetscCall(MatMult(pair->D_other, values, sums));
-    PetscCall(VecGetArrayRead(sums, &taken));
+  if (pair->D_other) PetscCall(MatMult(pair->D_other, values, sums));
+  if (pair->passed) {
+    PetscCall(PetscCalloc1(vi->num_rows, &passed));
+    PetscCall(FieldsAddPassed_Private(vi, p, values, sums, passed));
   }
+  if (pair->D_other) PetscCall(VecGetArrayRead(sums, &taken));
   PetscCall(VecGetArrayRead(values, &own));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const PetscInt a = vi->row_node[r];
@@ -90,10 +132,12 @@ static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, Pet
     if (vi->row_pair[r] != p) continue;
     sum = own[pair->nodes[a]];
     if (taken) sum += taken[pair->nodes[a]] / pair->D[a];
+    if (passed) sum += passed[r] / pair->D[a];
     *(moment ? &fields->row_moment[r * dim + moment - 1] : &fields->row_weight[r]) = vi->row_D[r] * sum;
   }
   PetscCall(VecRestoreArrayRead(values, &own));
   if (taken) PetscCall(VecRestoreArrayRead(sums, &taken));
+  PetscCall(PetscFree(passed));
   PetscCall(VecDestroy(&values));
   PetscCall(VecDestroy(&sums));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -128,6 +128,23 @@ PetscErrorCode PairFieldsDestroy(PairFields *nodal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Components in held directions: at held nodes c the mean of the nodes a that took their rows over,
+   t_c += sum_a w_ac Pi_c t_a. [in,out] t - at the nodes of this rank, dim per node */
+static PetscErrorCode PairTractionExtend_Private(const Pair pair, Vec t)
+{
+  Vec from, to;
+
+  PetscFunctionBeginUser;
+  if (!pair->passed) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(pair->passed, &to, &from));
+  PetscCall(VecCopy(t, from));
+  PetscCall(MatMultTranspose(pair->passed, from, to));
+  PetscCall(VecAXPY(t, 1.0, to));
+  PetscCall(VecDestroy(&from));
+  PetscCall(VecDestroy(&to));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
 {
   const VI         vi   = fields->vi;
@@ -142,22 +159,25 @@ PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
   PetscCall(LevelCreateVec(vi->level, dim, traction));
   if (!fields->lambda) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc2(n, &component, n, &covered));
-  PetscCall(VecGetArray(*traction, &t));
   PetscCall(VecGetArrayRead(fields->lambda, &lambda));
-  for (PetscInt k = 0; k < dim; k++) {
-    PetscCall(PetscArrayzero(component, n));
-    PetscCall(PetscArrayzero(covered, n));
-    for (PetscInt r = 0; r < vi->num_rows; r++) {
-      const PetscInt a = vi->row_node[r];
+  PetscCall(VecGetArray(*traction, &t));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt   a = vi->row_node[r];
+    const PetscReal *d = &pair->frame[(a * dim + vi->row_direction[r]) * dim];
 
-      if (vi->row_pair[r] != p) continue;
-      component[pair->nodes[a]] += lambda[r] * pair->frame[(a * dim + vi->row_direction[r]) * dim + k];
-      covered[pair->nodes[a]] = PETSC_TRUE;
-    }
+    for (PetscInt k = 0; vi->row_pair[r] == p && k < dim; k++) t[pair->nodes[a] * dim + k] += lambda[r] * d[k];
+  }
+  PetscCall(VecRestoreArray(*traction, &t));
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscCall(PairTractionExtend_Private(pair, *traction));
+  PetscCall(VecGetArray(*traction, &t));
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscCall(PetscArrayzero(covered, n));
+    for (PetscInt a = 0; a < n; a++) component[a] = t[a * dim + k];
+    for (PetscInt a = 0; a < pair->num; a++) covered[pair->nodes[a]] = PETSC_TRUE;
     PetscCall(PairFieldsSpread(pair, component, covered));
     for (PetscInt a = 0; a < n; a++) t[a * dim + k] = component[a];
   }
-  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
   PetscCall(VecRestoreArray(*traction, &t));
   PetscCall(PetscFree2(component, covered));
   PetscCall(VecGhostUpdateBegin(*traction, INSERT_VALUES, SCATTER_FORWARD));

@@ -111,30 +111,66 @@ static PetscErrorCode PairSumGetMiddle_Private(const Level *level, const PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone. x counts from
-   the centre of pressure, or from the middle of a tie. The value is 0 for ties, and on flat or touching
-   sides, where the points of both sides are the same. */
-static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
+/* B'lambda of one pair alone: the forces at the nodes of both sides. [out] force - owned by the caller */
+static PetscErrorCode PairSumCreateForces_Private(Fields fields, PetscInt p, Vec *force)
 {
-  const VI         vi  = fields->vi;
-  const PetscInt   dim = vi->level->dim;
-  Vec              lambda, force;
-  PetscReal       *l, sums[4] = {0, 0, 0, 0}, centre[3];
-  const PetscReal *F;
+  const VI   vi = fields->vi;
+  Vec        lambda;
+  PetscReal *l;
 
   PetscFunctionBeginUser;
-  sum->moment_imbalance = NAN;
-  if (vi->pairs[p]->spec->obstacle.kind != OBSTACLE_NONE || !sum->active) PetscFunctionReturn(PETSC_SUCCESS);
-  if (vi->scene->model == MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS); /* 0 by symmetry, nothing to judge */
   PetscCall(VecDuplicate(fields->lambda, &lambda));
-  PetscCall(VecDuplicate(fields->u, &force));
+  PetscCall(VecDuplicate(fields->u, force));
   PetscCall(VecCopy(fields->lambda, lambda));
   PetscCall(VecGetArray(lambda, &l));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] != p) l[r] = 0.0;
   }
   PetscCall(VecRestoreArray(lambda, &l));
-  PetscCall(MatMultTranspose(vi->B, lambda, force));
+  PetscCall(MatMultTranspose(vi->B, lambda, *force));
+  PetscCall(VecDestroy(&lambda));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The force of a tie with rows that held nodes passed on: they act in other directions than the row's own. */
+static PetscErrorCode PairSumSetTieForce_Private(Fields fields, PetscInt p, PairSum *sum)
+{
+  const Level     *level     = fields->vi->level;
+  const PetscInt   dim       = level->dim;
+  PetscReal        forces[3] = {0, 0, 0};
+  const PetscReal *F;
+  Vec              force;
+
+  PetscFunctionBeginUser;
+  if (!fields->vi->pairs[p]->passed) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PairSumCreateForces_Private(fields, p, &force));
+  PetscCall(VecGetArrayRead(force, &F));
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    if (level->node_body[a] != fields->vi->scene->pairs[p].nonmortar.body) continue;
+    for (PetscInt k = 0; k < dim; k++) forces[k] -= F[a * dim + k];
+  }
+  PetscCall(VecRestoreArrayRead(force, &F));
+  PetscCall(VecDestroy(&force));
+  PetscCallMPI(MPI_Allreduce(forces, sum->force, 3, MPIU_REAL, MPI_SUM, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* |sum x cross F| / sum |x||F| over the nodes of both sides, F = B'lambda of this pair alone. x counts from
+   the centre of pressure, or from the middle of a tie. The value is 0 for ties, and on flat or touching
+   sides, where the points of both sides are the same. */
+static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt p, PairSum *sum)
+{
+  const VI         vi      = fields->vi;
+  const PetscInt   dim     = vi->level->dim;
+  PetscReal        sums[4] = {0, 0, 0, 0}, centre[3];
+  const PetscReal *F;
+  Vec              force;
+
+  PetscFunctionBeginUser;
+  sum->moment_imbalance = NAN;
+  if (vi->pairs[p]->spec->obstacle.kind != OBSTACLE_NONE || !sum->active) PetscFunctionReturn(PETSC_SUCCESS);
+  if (vi->scene->model == MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS); /* 0 by symmetry, nothing to judge */
+  PetscCall(PairSumCreateForces_Private(fields, p, &force));
   PetscCall(VecGetArrayRead(force, &F));
   PetscCall(PetscArraycpy(centre, sum->centre, 3));
   if (vi->pairs[p]->spec->type == PAIR_TIED) PetscCall(PairSumGetMiddle_Private(vi->level, F, centre));
@@ -151,7 +187,6 @@ static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt 
     sums[3] += PetscSqrtReal(xx * ff);
   }
   PetscCall(VecRestoreArrayRead(force, &F));
-  PetscCall(VecDestroy(&lambda));
   PetscCall(VecDestroy(&force));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, vi->level->comm));
   sum->moment_imbalance = PetscSqrtReal(PetscSqr(sums[0]) + PetscSqr(sums[1]) + PetscSqr(sums[2])) / sums[3];
@@ -188,6 +223,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
     sum->centre[k]          = sum->active ? sums[ADD_CENTRE + k] / sums[ADD_NORMAL] : NAN;
     sum->max_pressure_at[k] = NAN;
   }
+  PetscCall(PairSumSetTieForce_Private(fields, p, sum));
   if (vi->scene->model == MODEL_AXISYMMETRIC) { /* the resultant of a ring acts along its axis */
     sum->force[0] = 0;
     if (sum->active) sum->centre[0] = 0;

@@ -19,6 +19,8 @@ mortise_scene_test(solid_crosspoints CHECK solid_twice.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(solid_crosspoints_hex27 SCENE solid_crosspoints CHECK solid_twice.py ARGS -order 2)
 mortise_scene_test(solid_crosspoints_tet10 SCENE solid_crosspoints CHECK solid_twice.py RANKS 3 ARGS -order 2 -upper_dm_plex_simplex 1)
 mortise_scene_test(patch3d CHECK solid_twice.py RANKS 1 LONG_RANKS 3) # tetrahedra on hexahedra, as shipped
+mortise_scene_test(tied_half CHECK tied_half.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(tied_held SCENE ../../options/tied CHECK tied_held.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(tied_narrow CHECK tied_narrow.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(tied_apart_hex8 SCENE tied_apart_solid CHECK tied_apart.py RANKS 1 LONG_RANKS 3 ARGS -cross_check)
 mortise_scene_test(tied_apart_hex27 SCENE tied_apart_solid CHECK tied_apart.py ARGS -cross_check -order 2)

@@ -143,9 +143,11 @@ class Pair:
 
     def keeps(self, node):
         """Whether a node carries its multiplier."""
-        dim = self.scene.dim
-        held = any(dim * node + k in self.scene.held for k in range(dim))
-        return self.D[node] >= SLIVER[dim, self.order] * self.full[node] and self.free[node] >= HELD and not (self.tied and held)
+        return self.D[node] >= SLIVER[self.scene.dim, self.order] * self.full[node] and self.free[node] >= HELD
+
+    def held(self, node):
+        """1 for each axis along which a support holds a node, 0 for others."""
+        return np.array([float(self.scene.dim * node + k in self.scene.held) for k in range(self.scene.dim)])
 
     def is_beyond(self, node):
         """Whether a node without a multiplier lies beyond the end of the other side; at that end half of its facets are covered."""
@@ -163,7 +165,7 @@ class Pair:
     def set_rows(self):
         """Rows of B as {unknown: value} over D_aa; those of removed nodes are shared out among kept ones (eq. 5.1)."""
         touched = [node for node in self.D if abs(self.D[node]) > NOTHING * self.full[node]]
-        kept, overdrawn, self.weight, self.rows = [node for node in touched if self.keeps(node)], True, {}, []
+        kept, overdrawn, self.rows = [node for node in touched if self.keeps(node)], True, []
         while overdrawn:
             self.share = self.shares(kept, [node for node in touched if node not in kept])
             taken = {a: sum(share.get(a, 0.0) * self.D[c] for c, share in self.share.items()) for a in kept}
@@ -177,11 +179,32 @@ class Pair:
                 row[a][b] = row[a].get(b, 0.0) + w * value
             for b, block in self.arms.get(c, {}).items():
                 add_to(arms[a], b, w * block)
+        weight = {a: sum(row[a].get(b, 0.0) for b in self.nodes) for a in kept}
+        self.weight = {a: self.scene.thickness * weight[a] for a in kept}
+        if self.tied:
+            self.pass_held(kept, row, arms, weight)
         for a in kept:
-            dim, n, D = self.scene.dim, self.normal[a], self.D[a]
-            self.weight[a] = self.scene.thickness * sum(row[a].get(b, 0.0) for b in self.nodes)
-            for direction in frame(n) if self.tied else (n,):
+            dim, D = self.scene.dim, self.D[a]
+            for direction in self.directions(a):
                 entries = {dim * b + k: value / D * direction[k] for b, value in row[a].items() for k in range(dim)}
                 for b, k in itertools.product(arms[a], range(dim)):
                     add_to(entries, dim * b + k, direction @ arms[a][b][:, k] / D)
                 self.rows.append((a, entries, 0.0 if self.tied else G[a] / D, self.scene.thickness * D))
+
+    def directions(self, node):
+        """The normal; of ties also those across it, without those along which a support holds the node."""
+        held = np.eye(self.scene.dim)[self.held(node) > 0]
+        across = np.linalg.svd(np.vstack([self.normal[node], held]))[2][1 + len(held):]
+        return (self.normal[node], *across) if self.tied else (self.normal[node],)
+
+    def pass_held(self, kept, row, arms, weight):
+        """Rows along held axes go to nodes that nothing holds (eq. 5.5), in blocks."""
+        given = {node: (dict(row[node]), dict(arms[node])) for node in kept if self.held(node).any()}
+        for c, share in self.shares([a for a in kept if a not in given], given).items():
+            P = np.diag(self.held(c))
+            for a, w in share.items():
+                for b, value in given[c][0].items():
+                    add_to(arms[a], b, w * value * P)
+                for b, block in given[c][1].items():
+                    add_to(arms[a], b, w * P @ block)
+                self.weight[a] += self.scene.thickness * w * weight[c] * (self.normal[a] @ P @ self.normal[a])
