@@ -1,8 +1,8 @@
 /* expression.h -- numbers that vary in space.
 
    A datum of a scene is a list of components separated by commas outside parentheses. Each component is a
-   plain number, the word `free`, or an expression in x, y, z (r, z when axisymmetric) and the time t, read by
-   the muParser library. */
+   plain number, the word `free`, or an expression, read by the muParser library. An expression has the
+   variables x, y, z (r, z when axisymmetric) and the time t. */
 #ifndef MORTISE_EXPRESSION_H
 #define MORTISE_EXPRESSION_H
 

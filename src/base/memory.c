@@ -1,9 +1,9 @@
 /* memory.c -- peak of the resident memory, by /proc where it exists, else by getrusage(); lack of memory in
    libraries.
 
-   Linux keeps the peak as VmHWM in /proc/self/status and sets it back to the present value when a 5 is
-   written to /proc/self/clear_refs (man 5 proc). getrusage() knows the peak since the process began, and
-   cannot be set back. */
+   Linux keeps the peak as VmHWM in /proc/self/status. Writing a 5 to /proc/self/clear_refs sets it back to
+   the present value (man 5 proc). getrusage() knows the peak since the process began, and cannot be set
+   back. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include "base/compat.h"

@@ -1,7 +1,7 @@
 /* options.c -- one argument list from the command line and the files that it names.
 
-   The first rank reads and checks everything (optionsreader.c), then two lists are broadcast: the arguments,
-   and the files that were read (their folders are where meshes are looked for). */
+   The first rank reads and checks everything (optionsreader.c). Then two lists are broadcast: the arguments,
+   and the files that were read. Meshes are looked for in the folders of these files. */
 #include "base/optionsreader.h"
 #include "base/compat.h"
 #include "base/options.h"

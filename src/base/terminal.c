@@ -1,6 +1,6 @@
 /* terminal.c -- whether the output is a terminal.
 
-   Under mpiexec isatty() is true on the first rank even if the output of mpiexec is a file: Open MPI gives
+   Under mpiexec isatty() is true on the first rank even if the output of mpiexec is a file. Open MPI gives
    the ranks of its own machine pseudo-terminals. MPI has no call for this. The output of mpiexec is that of
    the parent process, which Linux lists in /proc. Without this, the progress table of a parallel run would
    either fill log files or be missing on terminals. */

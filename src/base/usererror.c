@@ -41,7 +41,7 @@ static void UserErrorTell_Private(MPI_Comm comm, const char sentence[])
 }
 
 /* Whether an error of PETSc is about the user's input. These are errors while it reads options, and unknown
-   names of a type, of a file, or of a solver for this kind of matrix: here all of them come from options. */
+   names of a type, of a file, or of a solver for this kind of matrix. All such names come from options. */
 static PetscBool UserErrorIsOption_Private(const char function[], PetscErrorCode code)
 {
   if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_FILE_OPEN || code == PETSC_ERR_MISSING_FACTOR)
