@@ -12,9 +12,9 @@
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscReal offset[]);
 
-/* Offsets of a facet of first order to the curves over its edges, at the nodes of the facet of second order:
-   zero at vertices, those of the edges in their middles, half of the sum of these in the middle of a quad
-   (Coons 1967). Returns whether any is not zero. Not collective.
+/* Offsets of a facet of first order to the curves over its edges, at the nodes of the facet of second order.
+   They are zero at vertices, those of the edges in their middles, half of the sum of these in the middle of a
+   quad (Coons 1967). Returns whether any is not zero. Not collective.
    [in] X, N - nodes and unit normals [num_nodes][dim];
    [out] bulge - [nodes of the facet of second order][dim] */
 PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[]);

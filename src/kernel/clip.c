@@ -5,7 +5,7 @@
        f(xi) = cross(x(xi) - y, n(xi)), a polynomial of twice the facet's order. A ray meets a mortar facet
    where the signs of its two ends differ. So the ends of a piece are roots of f or ends of the nonmortar
    facet. f depends on the nonmortar facet and one mortar node. Neighbours in a chain of mortar facets share
-   the roots of their common node to the last bit: their pieces neither overlap nor leave a hole. The
+   the roots of their common node to the last bit. Their pieces neither overlap nor leave a hole. The
    projection of a far end may exist or not.
 
    In space. Both facets are projected onto the auxiliary plane of the nonmortar one [1], which is normal to
@@ -275,8 +275,9 @@ static PetscReal ClipPullBackPart_Private(const FacetPart *part, const PetscReal
   return area > 0. ? PetscAbsReal(ClipMapBilinear_Private(part->to_reference, s, xi, d)) / area : 0.;
 }
 
-/* The point of the mortar facet at p: by the map of its part, then, where that is not the facet's own map, on
-   the true facet. The map of the part counts where the true facet gives a point far away. [out] eta - [2] */
+/* The point of the mortar facet at p, by the map of its part. Where that is not the facet's own map, the
+   point is then found on the true facet. The map of the part counts where the true facet gives a point far
+   away. [out] eta - [2] */
 static PetscBool ClipPullBackMortar_Private(const FacetPolygon *mortar, const FacetPart *part, const PetscReal p[],
                                             PetscReal eta[])
 {

@@ -62,8 +62,9 @@ PetscInt ClipPolygons(const ClipFacet *nonmortar, const ClipFacet *mortar, Petsc
    [out] xi - on the nonmortar facet's reference cell [CLIP_MAX_CORNERS][2] */
 PetscInt ClipCorners(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscReal xi[]);
 
-/* Whether the line through x(xi) of a nonmortar facet in space, along its plane's normal, meets the inside of
-   a mortar facet, and the gap there. Decides which of several facets is hidden. Not collective.
+/* Whether a line meets the inside of a mortar facet, and the gap there. The line goes through x(xi) of a
+   nonmortar facet in space, along its plane's normal. Decides which of several facets is hidden. Not
+   collective.
    [in] xi - [2] */
 PetscBool ClipSees(const ClipFacet *nonmortar, const ClipFacet *mortar, const PetscReal xi[], PetscReal *gap);
 

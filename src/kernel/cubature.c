@@ -357,7 +357,7 @@ static PetscErrorCode CubatureCutPiece_Private(const Line *line, const Interval 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Stores the middles between the jumps and kinks of a line as hints for the next lines: a narrow part may
+/* Stores the middles between the jumps and kinks of a line as hints for the next lines. A narrow part may
    contain no point of a rule. */
 static void CubatureKeepHints_Private(Hints *found, Hints *hints)
 {

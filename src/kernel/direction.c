@@ -10,7 +10,7 @@
 /* Curvatures below this share of the largest one count as zero. With a relative curvature below it one
    surface fits the other, and t is undetermined. */
 static const PetscReal NONE = 1e-8;
-/* Least ratio of the two relative curvatures at which one direction may act on the other: t is then accurate
+/* Least ratio of the two relative curvatures at which one direction may act on the other. Then t is accurate
    in both, and errors of normals are amplified tenfold at most. */
 static const PetscReal COUPLED = 0.01;
 

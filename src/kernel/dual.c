@@ -4,7 +4,7 @@
    ones on the share e the condition number of M_e is of the order of e^-4. But psi_i / D_i is defined by one
    property: its product with a polynomial, integrated over the covered part, is the value at the node i. This
    holds in any basis of the polynomials. In the basis L of the covered part, psi_i = D_i sum_jk L_j(node i)
-   (int_cov L L^T)^-1_jk L_k, no digits are lost: L_j(node i) is a value outside of the box, large but exact.
+   (int_cov L L^T)^-1_jk L_k. No digits are lost: L_j(node i) is a value outside of the box, large but exact.
 
    On tri6 int phi is zero at vertices, and so would be psi. There the unknowns of edges are u~_e with u_e =
    (1 - 2 a) u~_e + a (u~_v + u~_w) at the ends v and w [3]. The functions phi~ of u~ span the same

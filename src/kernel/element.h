@@ -73,9 +73,9 @@ PetscInt QuadratureLine(PetscInt n, PetscReal points[], PetscReal weights[]);
 PetscReal ElementMap(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
                      PetscReal grad[]);
 
-/* The same for a facet in ElementDim + 1 dimensions: x, the shape functions, the unit normal, which is
-   outward with nodes in the order of ElementFacetNodes(). Returns |dx/dxi|, the ratio of measures.
-   Not collective.
+/* The same for a facet in ElementDim + 1 dimensions: x, the shape functions and the unit normal. It is
+   outward with nodes in the order of ElementFacetNodes(). Returns |dx/dxi|, the ratio of measures. Not
+   collective.
    [in] X - [num_nodes][dim];
    [out] x - [dim], may be NULL; [out] phi - [num_nodes]; [out] normal - [dim], may be NULL */
 PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal xi[], PetscReal x[], PetscReal phi[],
@@ -139,8 +139,9 @@ PetscBool ElementLocate(ElementType type, const PetscReal X[], const PetscReal x
 void ElementStrainMatrix(PetscInt dim, PetscInt num_nodes, const PetscReal grad[], const PetscReal hoop[],
                          PetscReal B[]);
 
-/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells: 2 points in each
-   direction for quad4 and hex8, 3 for quad9 and hex27; 1 for tri3 and tet4, 6 for tri6, 8 for tet10. */
+/* The degree of quadrature for the stiffness, exact on affine and parallelogram cells. Its points are 2 in
+   each direction for quad4 and hex8, 3 for quad9 and hex27. For tri3 and tet4 it has 1, for tri6 6, for tet10
+   8. */
 PetscInt ElementStiffnessDegree(ElementType type);
 
 #endif

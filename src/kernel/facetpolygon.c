@@ -8,7 +8,7 @@
 
 /* A node that is off by less than this share is where a straight facet has it. */
 static const PetscReal STRAIGHT_POLYGON = 1e-12;
-/* Least area of the triangles at the corners of a quad, as a share of the mean one: below it an angle is
+/* Least area of the triangles at the corners of a quad, as a share of the mean one. Below it an angle is
    nearly straight, and Newton's method may fail. */
 static const PetscReal CONVEX_SHARE = 1e-2;
 

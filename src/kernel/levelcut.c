@@ -341,7 +341,7 @@ static PetscErrorCode LevelCutCell_Private(Cubature *cubature, PetscReal value[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A hexahedron at a vertex of a tetrahedron: its corners are the vertex, and the centroids of its edges, of
+/* A hexahedron at a vertex of a tetrahedron. Its corners are the vertex, and the centroids of its edges, of
    its faces and of the cell. */
 typedef struct {
   const Cubature *whole;

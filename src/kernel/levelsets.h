@@ -16,7 +16,7 @@ typedef struct {
 } LevelSetCell;
 
 /* In a cell, a function of the cubature, or the inclined facet of a simplex. In a box of fewer coordinates, a
-   function of the box around, at an end of its lines or at the zero of another function on them. */
+   function of the box around. It is taken at an end of a line, or at the zero of another function on it. */
 typedef struct {
   PetscInt  of, other; /* of < 0: that facet; other < 0: at an end */
   PetscReal at;        /* that end */

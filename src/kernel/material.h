@@ -38,7 +38,7 @@ void MaterialPickStrains(ModelKind model, const PetscReal all[6], PetscReal stra
 void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],
                     PetscReal stress[6]);
 
-/* Removes the bulk modulus from an isotropic C of any model but plane stress: C becomes that of 2 mu dev eps,
+/* Removes the bulk modulus from an isotropic C of any model but plane stress. C becomes that of 2 mu dev eps,
    with the deviator of three dimensions. Returns the bulk modulus. Not collective.
    [in,out] C - [num_strains][num_strains] */
 PetscReal MaterialTakeBulk(PetscInt num_strains, PetscReal C[]);

@@ -2,11 +2,10 @@
 
        min | target - sum_j y_j c_j |   over  y_j >= 0,      c_j in R^m, any number of them
 
-   At most m columns carry a weight, and only these are kept: the caller searches the others for the next one
-       to enter,
-   column by column or on many ranks at once. At the minimum the residual r fulfils r.c_j <= 0 for all j and
-       r.target = |r|^2. Either r = 0, and the target is in the cone of the columns, or r proves that it is
-       not. */
+   At most m columns carry a weight, and only these are kept. The caller searches the others for the next one
+       to enter, column by column or on many ranks at once. At the minimum the residual r fulfils r.c_j <= 0
+       for all j and r.target = |r|^2. Either r = 0, and the target is in the cone of the columns, or r proves
+       that it is not. */
 #ifndef MORTISE_NNLS_H
 #define MORTISE_NNLS_H
 

@@ -11,7 +11,7 @@ enum { MAX_DIM = 3, MAX_CORNERS = MAX_DIM + 1, MAX_EDGES = 6, MAX_SIMPLICES = 6,
 
 /* Evaluations for a reference cell. A plane takes 1500 to 3000 for each simplex. */
 static const PetscInt LARGEST_COUNT = 60000;
-/* Points on edges and vertices are moved towards the centroid by this part of their distance: at a jump, the
+/* Points on edges and vertices are moved towards the centroid by this part of their distance. At a jump, the
    faces of two parts have either value. */
 static const PetscReal INWARD = 1e-6;
 /* A corner nearer to a plane, relative to the simplex, is on it. */

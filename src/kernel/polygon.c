@@ -1,7 +1,7 @@
 /* polygon.c -- the common part of two convex polygons.
 
-   A point counts as inside of an edge up to a small distance on its other side: roundoff cannot cut off a
-   common vertex or edge of two polygons. Neighbours of a tiling measure the distance from the same line,
+   A point counts as inside of an edge up to a small distance on its other side. Thus roundoff cannot cut off
+   a common vertex or edge of two polygons. Neighbours of a tiling measure the distance from the same line,
    their common edge: each part belongs to one of them.
 
    Reference:

@@ -1,6 +1,6 @@
 /* quadrature.c -- quadrature rules on the reference cells of element.h.
 
-   Tables and closed forms rather than a library: a rule is needed once per facet or piece, where its
+   Tables and closed forms rather than a library: a rule is needed once per facet or piece. There its
    construction would cost more than its use.
 
    References:

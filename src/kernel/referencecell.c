@@ -7,9 +7,9 @@
 
 /* Facets follow each other anticlockwise around a plane cell, so that its inside is on their left; those of a
    cell in space run anticlockwise seen from outside. Degrees of the stiffness: tri3 and tet4 have constant
-   strains. Products of two strains are of degree 2 in each direction for quad4 and hex8, of degree 4 for
-   quad9 and hex27, and quadratic in tri6 and tet10. There curved sides need more: degree 3 integrates the
-   gradients in a curved tet10 exactly, as patch tests require. */
+   strains. Products of two strains are of degree 2 in each direction for quad4 and hex8, and of degree 4 for
+   quad9 and hex27. They are quadratic in tri6 and tet10. There curved sides need more: degree 3 integrates
+   the gradients in a curved tet10 exactly, as patch tests require. */
 const Reference REFERENCE[ELEMENT_COUNT] = {
     [ELEMENT_LINE2] = {.dim              = 1,
                        .order            = 1,
