@@ -88,8 +88,8 @@ static void LevelCountPair_Private(const PetscMPIInt owner[], PetscInt a, PetscI
 }
 
 /* Neighbours of the local nodes that this rank answers for. Every pair of nodes in a common cell spans one
-   smallest point of the mesh: an edge or a cell, no facet of which has both. The rank that owns this point
-   counts the pair, so that sums over the ranks are exact. */
+   smallest point of the mesh. It is an edge, or a cell of which no facet has both. The rank that owns this
+   point counts the pair, so that sums over the ranks are exact. */
 static PetscErrorCode LevelCountPairs_Private(Level *level, PetscScalar count[])
 {
   const PetscInt *leaves;

@@ -171,7 +171,7 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
              "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the polygons of its file", body->name);
 }
 
-/* The user error of a body with cells of both orientations: its map has folded it, or the curves of its file,
+/* The user error of a body with cells of both orientations. Its map has folded it, or the curves of its file,
    or those of smooth sides. [in] cell - of this rank, of the sense that fewer cells have, or -1 */
 static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody *body, PetscInt cell)
 {

@@ -2,7 +2,7 @@
 
    Ownership and global numbers come from PETSc's global section, so that Vecs of the DM and of the tables
    agree. Nodes are numbered in the order of cells, not of points of the DM. A refined DM has vertices, then
-   middles of edges, of facets and of cells: products with K would access distant addresses for the nodes of
+   middles of edges, of facets and of cells. Products with K would access distant addresses for the nodes of
    one cell. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"

@@ -117,8 +117,8 @@ static PetscErrorCode InverseStep_Private(Expression map, PetscInt dim, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets: for order 1
-   between chord and curve, for order 2 between parabola and curve. */
+/* Whether a point is the image of one in a cell, though it may lie beyond the cell's facets. For order 1 it
+   may lie between chord and curve, for order 2 between parabola and curve. */
 static PetscErrorCode CellHoldsPoint_Private(const Level *level, Expression map, PetscInt cell, const PetscReal x[],
                                              PetscBool *holds)
 {

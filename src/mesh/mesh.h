@@ -95,11 +95,11 @@ PetscErrorCode MeshSetUp(Mesh mesh);
 /* Appends one level: the finest one with every cell split. Invalidates earlier pointers into mesh->levels.
    User errors: a degenerate or tangled cell. Collective. */
 PetscErrorCode MeshRefine(Mesh mesh);
-/* Appends one level, with a new partition: marked cells of the finest one are bisected dim times for each
-   mark, other cells until no node hangs; cells that are kept are split for each mark, others until hanging
-   nodes hang on nodes that do not. Cells that a map or a curve tangles are refined again. The mesh
-   does not depend on the number of ranks; pointers into mesh->levels stay valid. For meshes of scenes with
-   -adapt. User errors: a degenerate or tangled cell. Collective.
+/* Appends one level, with a new partition. Marked cells of the finest one are bisected dim times for each
+   mark, other cells until no node hangs. With cells that are kept, marked ones are split for each mark,
+   others until hanging nodes hang on nodes that do not. Cells that a map or a curve tangles are refined
+   again. The mesh does not depend on the number of ranks; pointers into mesh->levels stay valid. For meshes
+   of scenes with -adapt. User errors: a degenerate or tangled cell. Collective.
    [in] marked - how often the edges of this rank's cells are halved [num_cells] */
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[]);
 /* The same with all cells marked once. Collective. */

@@ -1,9 +1,9 @@
 /* prolongation.c -- prolongation between levels, and from order 1 to order 2.
 
-   The value of a fine node is that of the coarse shape functions, at its position in the coarse point (edge
-   or cell) of its origin. Fine vertices are middles of coarse points, other fine nodes are middles of fine
-   vertices. So every position is a mean of reference coordinates, for any dimension and order. Polynomials of
-   the lower of both orders are reproduced exactly on straight cells. */
+   The value of a fine node is that of the coarse shape functions at its position. The position is that in the
+   coarse point (edge or cell) of its origin. Fine vertices are middles of coarse points, other fine nodes are
+   middles of fine vertices. So every position is a mean of reference coordinates, for any dimension and
+   order. Polynomials of the lower of both orders are reproduced exactly on straight cells. */
 #include "mesh/refinement.h"
 #include "base/compat.h"
 

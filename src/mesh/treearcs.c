@@ -210,8 +210,8 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
   return ArcSumsToOffset(dim, sums, offset);
 }
 
-/* Puts the node in the middle of a quadrilateral where its edges have it: half of the sum of their middles
-   less a quarter of that of its corners. */
+/* Puts the node in the middle of a quadrilateral where its edges have it. That is half of the sum of their
+   middles less a quarter of that of its corners. */
 static void QuadSetMiddle_Private(PetscInt dim, const PetscInt nodes[], PetscReal coords[])
 {
   const PetscInt corners = ElementNumNodes(ELEMENT_QUAD4);
