@@ -72,8 +72,8 @@ static PetscErrorCode SceneRaiseModel_Private(const Option *model, const SceneBo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Prepares the message for data of a solid in a scene that is plane because a mesh file could not be read or
-   has no solids. */
+/* Prepares the message for data of a solid in a plane scene. The scene is plane because a mesh file could not
+   be read or has no solids. */
 static PetscErrorCode SceneSetUnread_Private(Scene scene, const Option *file, PetscInt dim, const char reason[])
 {
   char text[2 * OPTION_MAX + PETSC_MAX_PATH_LEN];

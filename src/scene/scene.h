@@ -340,8 +340,8 @@ PetscErrorCode SceneCreate(MPI_Comm comm, Scene *scene);
    can be found without a mesh. Collective on the scene's comm. */
 PetscErrorCode SceneSetFromOptions(Scene scene);
 /* User error: an option that nothing has read. With before_solve only options without PETSc's own prefixes
-   count (ksp_, pc_, mat_, snes_, ...), since PETSc reads many of its options late. -options_allow_unused
-   makes it a warning. Collective. */
+   count (ksp_, pc_, mat_, snes_, ...). PETSc reads many of its options late. -options_allow_unused makes it a
+   warning. Collective. */
 PetscErrorCode SceneCheckUnused(Scene scene, PetscBool before_solve);
 /* Sets the t of all formulas. If no datum of the scene names t, it multiplies loads, given displacements, gap
    offsets and temperatures, or the data of -load_steps_scale. Adds what changes to scene->changed. User

@@ -20,8 +20,8 @@ static PetscErrorCode BoundaryFindList_Private(Scene scene, const SceneBody *bod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Reads the datum of one listed side. If it is missing, the data of all other sides have been read before: an
-   unread datum is that of a side that is not listed. */
+/* Reads the datum of one listed side. If it is missing, the data of all other sides have been read before.
+   Hence an unread datum is that of a side that is not listed. */
 static PetscErrorCode BoundaryFindValue_Private(Scene scene, const SceneBody *body, const SceneBoundary *boundary,
                                                 Option *datum)
 {

@@ -92,8 +92,8 @@ static PetscErrorCode DatumRequire_Private(const Reader *r, const Datum *datum, 
 }
 
 /* Checks E and nu where they are plain numbers. Above nu = 1/2 a body would grow under pressure. Near nu =
-   1/2 it keeps its volume: plane stress can still show that by its thickness, but in other models
-   displacements alone cannot tell the pressure. */
+   1/2 it keeps its volume. Plane stress can still show that by its thickness. In other models displacements
+   alone cannot tell the pressure. */
 static PetscErrorCode MaterialCheckIsotropic_Private(const Reader *r, const Option *young, const Option *poisson)
 {
   const PetscReal origin[3] = {0, 0, 0};

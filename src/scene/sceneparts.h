@@ -18,8 +18,8 @@ PetscErrorCode UnusedOptionsCheckUnknown(Scene scene, PetscBool only_near);
 /* Whether an option (with its dash) begins as PETSc's own options do, so that no body or pair may.
    Not collective. */
 PetscBool UnusedOptionsBeginsLikePETSc(const char option[]);
-/* The unused option in the database that looks like a misspelling of this one, or like its datum for a side
-   that is not listed; "" if there is none. Not collective. */
+/* The unused option in the database that looks like a misspelling of this one, "" if there is none. It may
+   also look like its datum for a side that is not listed. Not collective. */
 PetscErrorCode UnusedOptionsNearest(const Option *option, char near[OPTION_MAX]);
 
 /* optionsuggestion.c: the documented option nearest to a misspelt one, "" if none is near. Not collective. */

@@ -1,7 +1,7 @@
 /* unusedoptions.c -- options that nothing reads: misspelt, left over, or PETSc's.
 
    PETSc marks an option as used when it is looked up, and reads many of its own late. So the table decides on
-   misspelt options at once: an option is unknown if it fits no row and lies outside the name spaces of PETSc.
+   misspelt options at once. An option is unknown if it fits no row and lies outside the name spaces of PETSc.
    Unread options in those name spaces are reported after the solution. The first rank judges for all: it
    reads what any rank does. */
 #include "scene/sceneparts.h"
