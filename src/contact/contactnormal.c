@@ -174,7 +174,7 @@ static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The shape of the mortar side next to a point, as that of the parallel surface through it: centres of
+/* The shape of the mortar side next to a point, as that of the parallel surface through it. Centres of
    circles and balls stay the same. Cubes grow until they contain all nearer facets. Not collective.
    [in] n - normal at the point; [in] size - of a facet there; [out] found - whether there are facets within
    reach */

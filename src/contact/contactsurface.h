@@ -7,8 +7,8 @@
 #include "mesh/mesh.h"
 #include "mesh/sideshape.h"
 
-/* Largest cosine between the normals of two facets that face each other, or between a facet's normal and a
-   ray that meets it: above 107 degrees. */
+/* Largest cosine between the normals of two facets that face each other: an angle above 107 degrees. The same
+   holds for a facet's normal and a ray that meets it. */
 static const PetscReal FACING = -0.3;
 
 /* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order

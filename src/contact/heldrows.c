@@ -1,6 +1,6 @@
 /* heldrows.c -- rows of a tie in directions that supports hold at its nodes.
 
-   A tied node that a support holds in some directions has a multiplier in the others: there the displacement
+   A tied node that a support holds in some directions has a multiplier in the others. There the displacement
    is free, as at the end of a side. In a held direction the multiplier would act on no unknown of its own
    side. Its neighbours take that row over, as at nodes held in all directions. So constant tractions are
    represented exactly. The rows go into the arm, since they are blocks that differ by direction. */

@@ -14,9 +14,9 @@
 static const PetscReal HELD_NORMAL = 0.1;
 /* Covered share of a node's support below which its pressure would be inaccurate. On linear facets the share
    e of a facet covers e^2 / 2 of a far end, on quadratic ones 3 e^2 of a middle node. The share of the far
-   end of a quadratic line is negative, 4 e^3 - 3 e^2 >= -1/4, where less than three quarters of the line are
-   covered. That of the far corner of a facet in space is the product of two such shares, positive and up to
-   1/16. */
+   end of a quadratic line is 4 e^3 - 3 e^2 >= -1/4. It is negative where less than three quarters of the line
+   are covered. That of the far corner of a facet in space is the product of two such shares, positive and up
+   to 1/16. */
 static const PetscReal SLIVER_LINEAR = 1e-3, SLIVER_QUADRATIC_LINE = 5e-2, SLIVER_QUADRATIC = 0.1;
 /* Covered share that is roundoff. */
 static const PetscReal NO_COVER = 1e-13;

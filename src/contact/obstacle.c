@@ -23,8 +23,8 @@ static PetscReal ObstacleNearRoot_Private(PetscReal a, PetscReal b, PetscReal c)
   return -c / (b > 0 ? b + root : b - root);
 }
 
-/* a t^2 + 2 b t + c = 0 for balls and cylinders: from outside (radius > 0) where the ray enters, from inside
-   (radius < 0) where it leaves. a > 0 */
+/* a t^2 + 2 b t + c = 0 for balls and cylinders. From outside (radius > 0) it is where the ray enters, from
+   inside (radius < 0) where it leaves. a > 0 */
 static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscReal b, PetscReal c)
 {
   const PetscReal root = PetscSqrtReal(PetscMax(b * b - a * c, 0));

@@ -67,8 +67,8 @@ PetscInt OverlapPointsCurvedDegree(ElementType type)
   return 3 + 4 * ElementOrder(type);
 }
 
-/* A vector along the mean outward normal of the polygon of a facet's vertices: (dy,-dx) of a line, the cross
-   product of two edges of a triangle or of the diagonals of a quad. */
+/* A vector along the mean outward normal of the polygon of a facet's vertices. It is (dy,-dx) of a line, the
+   cross product of two edges of a triangle or of the diagonals of a quad. */
 static void OverlapPointsOutward_Private(PetscInt dim, const ClipFacet *facet, PetscReal nu[])
 {
   const PetscInt   num = ElementNumNodes(ElementLinear(facet->type));

@@ -65,7 +65,7 @@ static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* N diag(1 / column sums), with N of ones: row a, column c for every node a of ring k - 1 beside a node c of
+/* N diag(1 / column sums). N has ones in row a, column c for every node a of ring k - 1 beside a node c of
    ring k. */
 static PetscErrorCode RedistributionNeighbourMeans_Private(Level *level, const Facets *facets,
                                                            const MortarIntegrals *sums, PetscInt k,
