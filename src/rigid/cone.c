@@ -1,7 +1,7 @@
 /* cone.c -- least squares over distributed rows: the rank with the best next row broadcasts it.
 
    Projection: with s = q - target the problem is to find the shortest s with row.s <= bound - row.target =:
-   h. With r the residual of min | sum_i y_i (row_i, -h_i) - (0, .., 0, 1) |, y >= 0, the solution is s_k =
+   h. Let r be the residual of min | sum_i y_i (row_i, -h_i) - (0, .., 0, 1) |, y >= 0. The solution is s_k =
    r_k / r_(m+1) up to sign [1, 23.27].
 
    References: [1] Lawson, Hanson, Solving Least Squares Problems, 1974, problem LDP. */

@@ -1,8 +1,8 @@
 /* nearnullspace.c -- rigid body modes as near null space.
 
    Smoothed aggregation needs the modes of each body as separate vectors. In the unknowns y, a mode is y =
-   T^-1 u: u~ = S^-1 u at ordinary nodes, F u~ at nodes with a frame, and (B u)_row / D_row where a row of B
-   is an unknown. */
+   T^-1 u. It is u~ = S^-1 u at ordinary nodes, F u~ at nodes with a frame, and (B u)_row / D_row where a row
+   of B is an unknown. */
 #include "base/compat.h"
 #include "base/log.h"
 #include "rigid/nearnullspace.h"

@@ -79,8 +79,8 @@ static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body in a pair with it:
-   contact with that body is no stiffer. The diagonal of a nearly incompressible body has the bulk modulus,
+/* REGULARIZATION times the mean diagonal of A over each body, or over the softest body in a pair with it.
+   Contact with that body is no stiffer. The diagonal of a nearly incompressible body has the bulk modulus,
    but contact resists by the shear modulus. Without their ratio, at Poisson's ratio 0.4999, the iteration
    takes three times as many steps. [out] weak - [num_bodies] */
 static PetscErrorCode RegularizationGetStiffness_Private(VI vi, PetscReal weak[])

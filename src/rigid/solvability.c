@@ -1,10 +1,10 @@
 /* solvability.c -- whether the loads do work on a rigid motion that nothing resists.
 
    The work of the loads on rigid motions decides existence [1, 2]. The energy of the discrete problem is
-   quadratic, so a minimum exists exactly if the energy is bounded below [3]: if phi.q <= 0 wherever C q <= 0.
-   Gaps do not matter: they shift the admissible motions, but do not change their recession directions. Let
-   rho be the residual of the least squares problem C'y = phi, y >= 0. If rho is zero, y are contact forces
-   that balance the loads; otherwise rho is a motion that nothing resists (nnls.h).
+   quadratic, so a minimum exists exactly if the energy is bounded below [3]. That means phi.q <= 0 wherever C
+   q <= 0. Gaps do not matter: they shift the admissible motions, but do not change their recession
+   directions. Let rho be the residual of the least squares problem C'y = phi, y >= 0. If rho is zero, y are
+   contact forces that balance the loads; otherwise rho is a motion that nothing resists (nnls.h).
 
    References: [1] Lions, Stampacchia, Variational inequalities, 1967. [2] Fichera, Boundary value problems of
    elasticity with
