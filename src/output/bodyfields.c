@@ -5,7 +5,7 @@
 #include "base/compat.h"
 #include "result/estimate.h"
 
-/* Pressure, gap and status of all pairs at once, one after the other: a node in several pairs shows the sum
+/* Pressure, gap and status of all pairs at once, one after the other. A node in several pairs shows the sum
    of its pressures, the smallest gap, and the closest status. */
 static PetscErrorCode BodyFieldsWriteContact_Private(FieldWriter *writer, Fields fields)
 {

@@ -3,8 +3,8 @@
    A side is a set of facets. In 2D facets are directed, with the body on the left. A facet has one link from
    node to node for order 1, two for order 2, directed likewise. Each component is a chain of links. It starts
    at a node where no link ends, or anywhere if it is closed. An open chain starts at the end that is first by
-   coordinates, and chains are in this order: the table does not depend on the partition. Arc length is that
-   of the curved facets. */
+   coordinates, and chains are in this order. So the table does not depend on the partition. Arc length is
+   that of the curved facets. */
 #include "output/fieldwriter.h"
 #include "result/frictionfields.h"
 #include "result/sidenodes.h"

@@ -9,7 +9,7 @@
    title, names of bodies in the order of `body`, version, units, and a word on every dataset's order.
    Readable by h5py, MATLAB, h5dump without any library of ours.
 
-   Of a series the quantities of points are in groups, /steps/0001 and so on, each with the attributes t, its
+   Of a series the quantities of points are in groups, /steps/0001 and so on. Each has the attributes t, its
    time, and solved, 1 or 0. Those of the last step have their usual names as well. */
 #include <errno.h>
 #include <fcntl.h>
