@@ -1,8 +1,8 @@
 /* support.c -- fixed directions of nodes, gathered from all boundaries of a body and made orthonormal.
 
-   Only ranks with a facet of the side at a node know that the node lies on the side, so flags are exchanged
-   by a ghosted Vec. All else depends on the node's position and on the boundary alone: every rank that has a
-   node finds the same. */
+   Only ranks with a facet of the side at a node know that the node lies on it. So flags are exchanged by a
+   ghosted Vec. All else depends on the node's position and on the boundary alone: every rank that has a node
+   finds the same. */
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "support/support.h"
