@@ -25,8 +25,8 @@ KINDS = {2: {3: "triangle", 6: "triangle6", 4: "quad", 9: "quad9"}, 3: {4: "tetr
 class Summary(dict[str, Any]):
     """The JSON summary, or an object in it: a dictionary whose keys are attributes, too.
 
-    `summary.pairs.fit.normal_force` is `summary["pairs"]["fit"]["normal_force"]`. A key with other characters than those of a name, and one
-    that a dictionary has as a method ("items"), can only be had by brackets. Null is None."""
+    `summary.pairs.fit.normal_force` is `summary["pairs"]["fit"]["normal_force"]`. Only brackets give a key that is no name in Python, and
+    one that a dictionary has as a method ("items"). Null is None."""
 
     def __getattr__(self, key: str) -> Any:
         try:

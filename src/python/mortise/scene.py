@@ -50,7 +50,7 @@ def arguments_of(scene: Mapping[str, Any]) -> list[str]:
     """The command line of a scene: ["-order", "2", "-bodies", "upper,lower", ...].
 
     scene: options without their dash. A value is a text, a number, a sequence (a comma list) or a bool; None omits the option. A dictionary
-    {"hub": {"young": 2e5}} is a prefix: -hub_young. Where the option lists names, a dictionary is the list and the data of each:
+    {"hub": {"young": 2e5}} is a prefix: -hub_young. Where the option lists names, a dictionary is the list and the data of each.
     {"bodies": {"hub": {"young": 2e5, "bc_traction": {"top": (0, -1)}}}} is -bodies hub -hub_young 2e5 -hub_bc_traction top
     -hub_bc_traction_top 0,-1. Such options are bodies, pairs, probes, paths, the bc_... of a body, and its regions."""
     return [word for name, value in flatten(scene) for word in ("-" + name, value)]

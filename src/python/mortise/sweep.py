@@ -21,9 +21,9 @@ COMMON = ("status", "exit_code", "seconds", "warnings", "message")  # columns th
 
 
 class Rows(list[dict[str, Any]]):
-    """Rows of a sweep: dictionaries with the same keys. Those are the options that vary; the columns that were asked for, None where a run
-    has none; `status` ("solved", "no_solution", "not_converged", "wrong", "failed"), `exit_code`, `seconds`, `warnings` (codes, with blanks
-    between them) and `message` (the program's sentence, "" where it is solved)."""
+    """Rows of a sweep: dictionaries with the same keys. Those are the options that vary, and the columns that were asked for, None where a
+    run has none. There are also `status` ("solved", "no_solution", "not_converged", "wrong", "failed"), `exit_code`, `seconds`,
+    `warnings` (codes, with blanks between them) and `message` (the program's sentence, "" where it is solved)."""
 
     def column(self, name: str) -> Array:
         """A column as an array; None becomes NaN in a column of numbers."""
