@@ -1,4 +1,4 @@
-"""How the program starts MPI: no daemon for a process without a launcher, nothing set behind a user's or a library's back, no MPI for words.
+"""How the program starts MPI: no daemon for a process without a launcher, no setting of a user or a library overridden, no MPI for words.
 
 OPAL_BINDIR leads Open MPI to a folder without its daemon; a message layer that does not exist ends MPI_Init(); hwloc tells what it asks for cards.
 """

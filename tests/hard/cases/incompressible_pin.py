@@ -1,4 +1,4 @@
-"""Plane strain, a = 1, b = 2, pressure q = 1 outside and p inside: u(a) of the hub is that of the shaft,
+"""Plane strain, a = 1, b = 2, pressure q = 1 outside and p inside. u(a) of the hub is that of the shaft,
 (1 + nu) / E ((1 - 2 nu) (p a^2 - q b^2) + (p - q) b^2) / (b^2 - a^2) a  =  -(1 + nu) (1 - 2 nu) / E_s p a."""
 from judge import near
 
