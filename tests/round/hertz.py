@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """hertz.py -- largest pressure against Hertz' formula for a = .17, .1, .05, .03 R: hertz.py <program> [cells in a half width]
 
-A half disc of radius 1 on one of radius 2, and a cylinder's ring shape in space would cost too much: a ball on a ball, axisymmetric. Both
-bodies are blocks of polar cells around the point of contact, small where they touch, so deep that what lies behind does not matter. The
-largest pressure of a Hertz contact with the force that was found is
+The scenes are a half disc of radius 1 on one of radius 2, and a ball on a ball, axisymmetric: cylinders in space would cost too much.
+Both bodies are blocks of polar cells around the point of contact, small where they touch. They are so deep that what lies behind does not
+matter. The largest pressure of a Hertz contact with the force that was found is
 
     plane: p0 = sqrt(F E* / (pi R)), a = sqrt(4 F R / (pi E*));    balls: p0 = (6 F E*^2 / (pi^3 R^2))^(1/3), a = (3 F R / (4 E*))^(1/3)
 
-with 1/R = 1/R1 + 1/R2. It is exact for half spaces, so that the error of the bodies' shape is left: O((a/R)^2) in the plane, but
-O(a/R) for balls, whose surface gives way otherwise than a half space's to that order. So the table has the largest pressure of two
+with 1/R = 1/R1 + 1/R2. It is exact for half spaces, so that the error of the bodies' shape is left. That is O((a/R)^2) in the plane,
+but O(a/R) for balls: to that order their surface deforms otherwise than a half space's. So the table has the largest pressure of two
 elastic balls, too, and the order of the difference from it; in the plane both are Hertz'. That pressure is by Legendre series (Lur'e,
 Three-dimensional problems of the theory of elasticity, 1964, chapter 6).
 """
