@@ -1,5 +1,5 @@
-"""The claims of options/CONTACT_ZONE.md on size: Hertz while the zone is small, an exact force when it is the whole side, and the
-compliance of a growing line contact. closedforms.py of options/studies has the formulas."""
+"""The claims of options/CONTACT_ZONE.md on size. They are Hertz while the zone is small, an exact force when it is the whole
+side, and the compliance of a growing line contact. closedforms.py of options/studies has the formulas."""
 import math
 import pathlib
 import sys

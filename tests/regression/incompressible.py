@@ -24,8 +24,8 @@ def judge(run):
 
 
 def equations(run, step):
-    """What the summary says of the solution fits together: without gaps, the potential is minus the strain energy, up to the rounding of
-    K's entries: these are larger than shear stresses by bulk over shear modulus, and displacements larger than their differences by 1 / step."""
+    """Numbers of the summary agree: without gaps, the potential is minus the strain energy, up to the rounding of K's entries. These are larger
+    than shear stresses by bulk over shear modulus, and displacements larger than their differences by 1 / step."""
     energy = run.summary["energy"]
     rounding = sys.float_info.epsilon * 2 * (1 + POISSON) / (3 * (1 - 2 * POISSON)) / step**2
     near("strain energy", sum(energy["strain"].values()), -energy["potential"], relative=rounding)

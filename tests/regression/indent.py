@@ -3,7 +3,7 @@
     round                a^3 = 3 F R / (4 E*),    p = 3 F / (2 pi a^2) sqrt(1 - r^2/a^2)
     cone of slope 0.002  F = pi a^2 E* s / 2,     p = E* s / 2 arcosh(a/r)
 
-A plane as an obstacle pushes along its own normal, the formula of the cone along the axis: they differ by a share of the slope, 0.8 % at 0.02.
+A plane as an obstacle pushes along its own normal, the formula of the cone along the axis. They differ by a share of the slope, 0.8 % at 0.02.
 """
 import math
 

@@ -1,5 +1,5 @@
-"""A hub with a bonded lining on a hollow shaft, plane stress: Lame's u = A r + B / r in three rings. The six numbers follow from
-free rims, from equal radial stresses at the fit and at the bond, and from the differences of displacement there: the interference, and 0."""
+"""A hub with a bonded lining on a hollow shaft, plane stress: Lame's u = A r + B / r in three rings. The six numbers follow from free rims
+and from equal radial stresses at the fit and at the bond. The differences of displacement there are the interference, and 0."""
 import math
 
 import numpy as np

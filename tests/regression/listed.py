@@ -1,7 +1,7 @@
 """M1, M2 of order 1, digit by digit: errors that an independent prototype has with the same discretisation on the same meshes.
 
-LISTED: errors of all bodies in the energy norm and in L2, and of the pressure, n x n cells above and 3n/2 x 3n/2 below. The prototype
-measures the pressure as a sum of dual functions, sum p_a psi_a, and not as the field that is written out: so does this test.
+LISTED: errors of all bodies in the energy norm and in L2, and of the pressure. There are n x n cells above and 3n/2 x 3n/2 below. The
+prototype measures the pressure as a sum of dual functions, sum p_a psi_a, and not as the field that is written out. So does this test.
 """
 import csv
 import pathlib

@@ -1,5 +1,5 @@
-"""Validity of the two plates at 1, 10 and 100 times their loads: numbers of an independent prototype (numerics.md, section 10), which gives one
-or two digits: to 20 %. Each is then compared with its definition, evaluated anew here from the fields."""
+"""Validity of the two plates at 1, 10 and 100 times their loads. Numbers are those of an independent prototype (numerics.md, section 10), which
+gives one or two digits: to 20 %. Each is then compared with its definition, evaluated anew here from the fields."""
 import math
 
 import numpy as np

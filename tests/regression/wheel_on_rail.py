@@ -1,7 +1,7 @@
 """A wheel on a rail, of both the half x > 0: an elliptic contact of curved tetrahedra from a file, against Hertz.
 
 The closed form is in K. L. Johnson, Contact Mechanics (1985), section 4.2. K(e), E(e) are the complete elliptic integrals for
-e^2 = 1 - (b/a)^2; A and B are the curvatures along the longer and the shorter axis:
+e^2 = 1 - (b/a)^2. A and B are the curvatures along the longer and the shorter axis:
 
     B/A = ((a/b)^2 E - K) / (K - E),   a^3 = 3 F (K - E) / (2 pi E* e^2 A)"""
 from math import pi, sqrt
