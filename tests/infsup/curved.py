@@ -1,5 +1,6 @@
-"""Two half discs: the small one overlaps the end of facets of the large one at another fraction on each mesh, so that the number varies. It stays
-within a factor of 1.4 (the finest mesh of order 2 in the long run), above what a node at the limit of its weight has (0.07 at order 1, cut.py)."""
+"""Two half discs: the small one overlaps the end of facets of the large one at another fraction on each mesh. So the number varies. It stays
+within a factor of 1.4 (the finest mesh of order 2 in the long run). It is above the number of a node at the limit of its weight (0.07 at order 1,
+cut.py)."""
 from flatness import numbers
 from judge import LONG, require
 

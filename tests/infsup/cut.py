@@ -1,5 +1,5 @@
-"""The lower plate ends within a facet of the upper one, at a fraction e of it: beta is about 1.6 e, down to the fraction 0.045 at which
-the node behind it is removed (D below 1/1000 of the uncovered value)."""
+"""The lower plate ends within a facet of the upper one, at a fraction e of it. Then beta is about 1.6 e, down to the fraction 0.045.
+There the node behind it is removed (D below 1/1000 of the uncovered value)."""
 from flatness import number
 from judge import near, require
 

@@ -1,7 +1,7 @@
 """pairing.py -- the inf-sup number of pairings of two square plates, computed without Mortise: bilinear cells, dense matrices.
 
-The plates of options/two_plates.opts: clamped on top and on the bottom, a contact side of length 1. Multipliers of four kinds stand
-on a mesh of their own on that side:
+The plates are those of options/two_plates.opts: clamped on top and on the bottom, a contact side of length 1. That side has
+multipliers on a mesh of their own, of these kinds:
 
     dual        dual to the nodal functions of the upper plate, as the program has them; of the same mesh
     nodal       continuous, piecewise linear

@@ -1,5 +1,6 @@
-"""Two plates whose sides have the ratios of facets 1:1, 2:1, 1:2, 3:2 and 5:1, nonmortar side first: five meshes of order 1, equal to
-the independent computation of pairing.py, and four of order 2, the finest ones in the long run. Theory: the number tends to that of two half planes."""
+"""Two plates whose sides have the ratios of facets 1:1, 2:1, 1:2, 3:2 and 5:1, nonmortar side first. Five meshes of order 1 agree with the
+independent computation of pairing.py. Order 2 has four meshes, the finest ones in the long run. Theory: the number tends to that of two half
+planes."""
 from judge import LONG, near
 from flatness import numbers, require_flat
 from pairing import number

@@ -1,6 +1,6 @@
-"""The number sees unstable pairings, here by pairing.py: with one multiplier for each facet, (-1)^k on the facets is nearly orthogonal
-to all displacements, and beta falls with h; with a multiplier mesh twice as fine as the displacements', some multipliers do nothing at
-all. The program's pairing, and continuous multipliers on the mesh of the nonmortar side, keep theirs."""
+"""The number detects unstable pairings, here by pairing.py. With one multiplier for each facet, (-1)^k on the facets is nearly
+orthogonal to all displacements, and beta falls with h. With a multiplier mesh twice as fine as the displacements', some multipliers do
+nothing at all. The program's pairing, and continuous multipliers on the mesh of the nonmortar side, keep theirs."""
 from flatness import numbers
 from judge import near, require
 import pairing
