@@ -1,5 +1,5 @@
-"""Scenes that are solved but hardly meant: units of two bodies, gaps that only move a body, an angle of
-friction, a body far from its support. Each is a warning."""
+"""Scenes that are solved but hardly meant. Units of two bodies, gaps that only move a body, an angle of
+friction, a body far from its support: each is a warning."""
 from judge import near, require, same
 
 # Options; code of the warning, what it is about, words.

@@ -1,5 +1,6 @@
-"""A bar whose clamped end is a corner of its nonmortar side: that node has no multiplier, and its row goes to its neighbour. Gap, overlap and slip there
-are those of the geometry all the same: of a uniform gap, a uniform overlap, a partner that is drawn along by a given displacement."""
+"""A bar whose clamped end is a corner of its nonmortar side. That node has no multiplier, and its row goes to its neighbour. Gap, overlap and slip
+there are those of the geometry all the same. Scenes have a uniform gap, a uniform overlap, and a partner that is drawn along by a given
+displacement."""
 from judge import near, require, same
 
 GAP, APART = 0.1, ["-bar_dm_plex_box_lower", "0,0.1"]

@@ -1,5 +1,5 @@
-"""A load along a direction that a support of the same side fixes: solved, with a warning that names body, direction and lost force, and as
-if that load were not there. Forces are products of stress, length and thickness, by hand."""
+"""A load along a direction that a support of the same side fixes. It is solved as if that load were not there. A warning names body,
+direction and lost force. Forces are products of stress, length and thickness, by hand."""
 import math
 import re
 

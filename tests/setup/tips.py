@@ -1,5 +1,6 @@
-"""A tall brick that friction holds where it stands is said to tip; slide, where friction is too small. Forces and moments by hand: the brick of
-weight 4 tips about its edge, half its width from its middle, from a push of 4 0.5 / 4 = 0.5 at its top; it slides from a push of 4 mu."""
+"""A tall brick that friction holds where it stands is said to tip; slide, where friction is too small. Forces and moments are by hand. The
+brick of weight 4 tips about its edge, half its width from its middle, from a push of 4 0.5 / 4 = 0.5 at its top. It slides from a push of 4
+mu."""
 from judge import Run, require, same
 
 # Push, coefficient: words, work of the loads on the motion.
