@@ -1,5 +1,6 @@
-/* test_adaptpatch.c -- patch tests on adapted meshes: where the space holds the solution, cells bisected or split at random change nothing in it, the
-   estimate is rounding, and the certificate holds on every mesh; on any number of ranks. */
+/* test_adaptpatch.c -- patch tests on adapted meshes, on any number of ranks. Where the space holds the
+   solution, cells bisected or split at random change nothing in it. The estimate is rounding, and the
+   certificate holds on every mesh. */
 #include "base/compat.h"
 #include "pdas/pdas.h"
 #include "result/estimate.h"

@@ -1,5 +1,6 @@
-/* test_basis.c -- the change of basis: rows of B are single unknowns, rigid motions keep A's null space, supports are met,
-   whatever the order, whichever nodes carry multipliers, in the plane and in space, and on any number of ranks. */
+/* test_basis.c -- the change of basis: rows of B are single unknowns, rigid motions keep A's null space,
+   supports are met. This holds for any order, any nodes with multipliers, in the plane and in space, and on
+   any number of ranks. */
 #include "base/compat.h"
 #include "rigid/nearnullspace.h"
 #include "mesh_scene.h"
@@ -131,8 +132,8 @@ static void TestMotions(VI vi)
   CHECK(!VecDestroy(&image));
 }
 
-/* Fixed unknowns make u what the supports prescribe, also in the middle of facets of a shifted side: their rows of A are
-   unit rows, whose right-hand sides are their values. */
+/* Fixed unknowns make u what the supports prescribe, also in the middle of facets of a shifted side. Their
+   rows of A are unit rows, whose right-hand sides are their values. */
 static void TestSupports(VI vi)
 {
   Vec                y, u;

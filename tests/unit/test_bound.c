@@ -6,8 +6,9 @@
 #include "membrane.h"
 #include "two_boxes.h"
 
-/* A way to solve systems: how many perturbed solutions it is tried on, and the least and the most that its bounds may be, in parts of
-   the error. A factorization leaves six digits or more; how much larger bounds are was seen to be 1.3 and 4 on these meshes. */
+/* A way to solve systems. It has the number of perturbed solutions, and the least and the largest ratio of
+   its bounds to the error. A factorization leaves six digits or more; how much larger bounds are was seen to
+   be 1.3 and 4 on these meshes. */
 typedef struct {
   const char *options;
   PetscBool   estimated;

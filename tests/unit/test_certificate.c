@@ -20,8 +20,8 @@ typedef struct {
   Fields          fields;
 } Case;
 
-/* An upper box on [0,1] x [0,1], pushed down by `push`, over a lower one on [0.4,1.6] x [-1,0]: half covered, so that nodes are
-   removed, open and in contact. */
+/* An upper box on [0,1] x [0,1], pushed down by `push`, over a lower one on [0.4,1.6] x [-1,0]. It is half
+   covered, so that nodes are removed, open and in contact. */
 static PetscErrorCode Solve(Case *c, PetscReal push)
 {
   const PetscReal down[2] = {0, -push}, held[2] = {0, 0};
@@ -170,8 +170,8 @@ static PetscErrorCode TestSpoilt(Case *c, PetscReal push)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A row of each rank weighs other than it did: all equations hold, and still its force pulls where the weight is below zero, or there is no
-   force that its pressure could tell of. */
+/* A row of each rank has another weight than before. All equations hold. Still its force pulls where the
+   weight is below zero, or there is no force for its pressure. */
 static PetscErrorCode TestWeights(Case *c)
 {
   PetscReal       *weight = c->fields->row_weight, kept = 0, part[3] = {0, 0, 0};

@@ -3,8 +3,8 @@
 
 static const PetscReal Precision = 1e-11; /* of sums over a thousand cells */
 
-/* What tells meshes apart, whatever their numbering: sums over cells and facets of a cube of sums over their nodes, which has
-   products of what is at neighbours. */
+/* Numbers that differ between meshes, whatever their numbering: sums over cells and facets of the cube of a
+   sum over their nodes. The cube has products of values at neighbours. */
 typedef struct {
   PetscReal cells, nodes, sum, sides;
 } Imprint;

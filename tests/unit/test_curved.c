@@ -162,8 +162,9 @@ static void TestArcs(void)
   }
 }
 
-/* Two coincident circles that are cut differently: the nodal gaps, zero in truth, fall with h^4, those at the ends of the
-   side included, whose normals are one-sided. How the cuts fall makes single steps irregular: four halvings are judged. */
+/* Two coincident circles that are cut differently. The nodal gaps, zero in truth, fall with h^4, also at the
+   ends of the side, whose normals are one-sided. How the cuts fall makes single steps irregular: four
+   halvings are judged. */
 static void TestCoincidentArcs(void)
 {
   enum { NUM_LEVELS = 5 };

@@ -224,8 +224,9 @@ static void TestMinJacobian(void)
   CHECK(ElementMinJacobian(ELEMENT_QUAD4, dart) < 0.); /* not convex */
 }
 
-/* Cells of second order, one node of which is moved by d: the unit square's bottom has det J = 1 + 4 d x (1-x) (4 y - 3),
-   the triangle's 1 - 4 d x; a line whose middle lies before a quarter folds back at its beginning. */
+/* Cells of second order, one node of which is moved by d. The unit square's bottom has det J = 1 + 4 d x
+   (1-x) (4 y - 3), the triangle's 1 - 4 d x. A line whose middle lies before a quarter folds back at its
+   beginning. */
 static void TestMinJacobianCurved(void)
 {
   const PetscReal line[] = {0., 1., 0.5}, quarter[] = {0., 1., 0.25}, folded[] = {0., 1., 0.2};

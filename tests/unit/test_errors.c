@@ -7,8 +7,9 @@
 #include <string.h>
 #include "result/exact.h"
 
-/* Of a gradient, relative to its size: what the step leaves in the largest cell and beside a singular point, and rounding in a
-   cell as long as the formula's own length, which grows as cells become shorter. */
+/* Errors of a gradient, relative to its size. STEP_ERROR is that of the step in the largest cell and beside a
+   singular point. ROUNDING is that in a cell as long as the formula's own length. It grows as cells become
+   shorter. */
 static const PetscReal STEP_ERROR = 1e-9, ROUNDING = 5e-12;
 
 /* A displacement and its gradient g[k][i] = d u_i / d x_k. */

@@ -1,5 +1,6 @@
-/* test_fileparts.c -- a file that all ranks read in parts has the mesh that the first rank makes of it: nodes, cells, sides, curves, on the mesh
-   and on its refinement. What is to be told about a file is left to the first rank. */
+/* test_fileparts.c -- a file that all ranks read in parts has the mesh that the first rank makes of it.
+   Nodes, cells, sides and curves agree, on the mesh and on its refinement. What is to be told about a file is
+   left to the first rank. */
 #include "base/compat.h"
 #include "mesh/meshimpl.h"
 #include "solid_scene.h"

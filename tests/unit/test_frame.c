@@ -120,7 +120,8 @@ static void TestSphere(PetscInt num_nodes)
   }
 }
 
-/* A distorted quad9 with its nodes on the unit sphere: the node in its middle has a ring of parts around it, and an exact normal. */
+/* A distorted quad9 with its nodes on the unit sphere. The node in its middle has a ring of parts around it,
+   and an exact normal. */
 static void TestSphereQuadratic(void)
 {
   const PetscReal P[8] = {-0.5, -0.4, 0.6, -0.5, 0.4, 0.5, -0.3, 0.5};

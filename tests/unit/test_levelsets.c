@@ -134,7 +134,8 @@ static void CheckCap(void)
   CheckIntegral(ELEMENT_QUAD4, CAP, area, 0.968 * area - 2. / 3. * half * half * half, 60000);
 }
 
-/* The mean of 1 - max(a^2, b^2), and with a + 0.3, for a and b from -0.3 to 0.7: b^2 < a^2 on 2 |a|, and on a + 0.3 beyond a = 0.3. */
+/* The mean of 1 - max(a^2, b^2), and with a + 0.3, for a and b from -0.3 to 0.7. There b^2 < a^2 on 2 |a|,
+   and on a + 0.3 beyond a = 0.3. */
 static void CheckCrossed(void)
 {
   const PetscReal p = 0.7, q = 0.3, p4 = p * p * p * p, q4 = q * q * q * q;

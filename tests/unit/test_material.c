@@ -139,7 +139,7 @@ static void TestNoTurn(ModelKind model)
   for (PetscInt i = 0; i < n * n; i++) CHECK_NEAR(C[i], isotropic[i], EXACT);
 }
 
-/* A quarter turn about z exchanges the axes x and y, that is the indices 1 and 2 of C, and 4 and 5 in 3D. */
+/* A quarter turn about z exchanges the axes x and y: the indices 1 and 2 of C, and 4 and 5 in 3D. */
 static void TestQuarterTurn(void)
 {
   const PetscReal quarter[] = {90., 0., 0.}, about_x[] = {0., 90., 0.};

@@ -96,8 +96,8 @@ static void TestCells(void)
                  (const char *[]){"overlap at", NULL});
 }
 
-/* A triangle of second order whose curved side goes through the opposite vertex: its vertices alone are sound, those of what it
-   is split into are not. */
+/* A triangle of second order whose curved side goes through the opposite vertex. Its vertices alone are
+   sound, those of its parts after a split are not. */
 static void TestCurvedCells(void)
 {
   static const char nodes[] = "6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0.5 0 0\n5 -0.1 -0.1 0\n6 0 0.5 0";

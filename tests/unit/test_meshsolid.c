@@ -37,7 +37,8 @@ static void TestBoxes(PetscInt refine, PetscInt order)
   TestSceneFree(&t);
 }
 
-/* Boxes of many cells, which all ranks make: each has its share before anything is parted, and ranks agree on what they share, on all levels. */
+/* Boxes of many cells, which all ranks make. Each has its share before anything is parted, and ranks agree on
+   what they share, on all levels. */
 static void TestParts(PetscInt order, PetscBool simplex)
 {
   const PetscInt n = 13;

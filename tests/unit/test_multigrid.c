@@ -1,6 +1,6 @@
-/* test_multigrid.c -- what truncated multigrid is made of, against products of assembled matrices: the inverse of T, smoothing
-   apart, the matrix as a
-   shell, the coarser levels' own matrices, and what held unknowns make of them, at once or one change after the other. */
+/* test_multigrid.c -- parts of truncated multigrid against products of assembled matrices. They are the
+   inverse of T, smoothing apart, the matrix as a shell, and the coarser levels' own matrices. Held unknowns
+   change these, at once or one change after the other. */
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/envelopefactor.h"

@@ -32,8 +32,9 @@ static PetscReal Distance(PetscInt dim, const PetscReal point[], const PetscReal
   return PetscSqrtReal(square);
 }
 
-/* Rays from points near a round surface towards it: x = s (out of the surface) with s = radius (1 + something small), and a
-   normal that looks into the obstacle. A gap is open where the point is outside of it; it is the nearest crossing. */
+/* Rays from points near a round surface towards it. x = s (out of the surface) with s = radius (1 + something
+   small); the normal looks into the obstacle. A gap is open where the point is outside of it; it is the
+   nearest crossing. */
 static void TestRound(PetscInt dim, ObstacleKind kind, PetscReal radius)
 {
   for (PetscInt ray = 0; ray < NUM_RAYS; ray++) {

@@ -336,8 +336,8 @@ static PetscErrorCode TestCrosspoints(PetscInt order, PairMultipliers multiplier
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The length of parabolas of chord c and height h over it, their nodes on a quarter of the unit circle:
-   sqrt(c^2 + 16 h^2) / 2 + c^2 / (8 h) asinh(4 h / c) each. */
+/* Parabolas of chord c and height h over it, their nodes on a quarter of the unit circle. Each has the length
+   sqrt(c^2 + 16 h^2) / 2 + c^2 / (8 h) asinh(4 h / c). */
 static PetscReal ParabolasLength(PetscInt num)
 {
   const PetscReal half = PETSC_PI / 4 / num, c = 2 * PetscSinReal(half), h = 1 - PetscCosReal(half);
@@ -345,8 +345,8 @@ static PetscReal ParabolasLength(PetscInt num)
   return num * (0.5 * PetscSqrtReal(c * c + 16 * h * h) + c * c / (8 * h) * PetscAsinhReal(4 * h / c));
 }
 
-/* Quarter rings, one in the other, cut differently: the length of the side, the normals and the zero gap to the accuracy of
-   the curved sides, on any number of ranks. */
+/* Quarter rings, one in the other, cut differently. The length of the side, the normals and the zero gap have
+   the accuracy of the curved sides, on any number of ranks. */
 static PetscErrorCode TestRings(PairMultipliers multipliers)
 {
   struct _n_Scene scene;

@@ -227,8 +227,8 @@ static void TestBetween(PetscInt num_parts)
   TestSceneFree(&t);
 }
 
-/* Cells that are four times longer than wide: parts end where they are long, but for a corner or two, though that makes the longer cut in
-   facets. */
+/* Cells that are four times longer than wide. Parts end where they are long, but for a corner or two, though
+   the cut then has more facets. */
 static void TestLines(void)
 {
   TestScene t;
@@ -284,8 +284,8 @@ static void TestSpread(void)
   TestSceneFree(&t);
 }
 
-/* A reach as long as the sides makes no more edges than facets can use: some tens of bytes for each of a few neighbours, and
-   not for each of all. */
+/* A reach as long as the sides makes no more edges than facets can use. These are some tens of bytes for each
+   of a few neighbours, and not for each of all. */
 static void TestFarReach(void)
 {
   const PetscInt

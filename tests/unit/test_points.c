@@ -89,7 +89,8 @@ static PetscErrorCode TestLattice(PetscBool held)
   PetscFunctionReturn(0);
 }
 
-/* Where it is known what nodes take from which others, that is what they do: every other column of the lattice from both of its neighbours. */
+/* Where the weights of interpolation are known, nodes have these: every other column of the lattice takes
+   from both of its neighbours. */
 static PetscErrorCode TestKnown(void)
 {
   NodeSet      points = {.dim = DIM}, coarse;

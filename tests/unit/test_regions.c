@@ -1,5 +1,5 @@
-/* test_regions.c -- the material of each cell of a body with regions, on every level: by refinement of the body, of all bodies, and by
-   bisection, on any number of ranks. */
+/* test_regions.c -- the material of each cell of a body with regions, on every level and any number of ranks.
+   Levels are made by refinement of the body, of all bodies, and by bisection. */
 #include "mesh_scene.h"
 
 /* A unit square in layers up to 0.3, 0.7 and 1, or a unit cube in layers up to 0.4 and 1; the last coordinate tells the layer. */

@@ -5,8 +5,9 @@
 
 enum { SIZE = 60 };
 
-/* Row i is  2^40 at i, 1 + 2^-40 at i + 1, -2^40 at i + 2;  y is 1 + 2^-40 everywhere: (1 + 2^-40)^2 = 1 + 2^-39 + 2^-80 is the product
-   that is left, and b takes all of it away but for the last term, which is smaller than the rounding of any of the three. */
+/* Row i is  2^40 at i, 1 + 2^-40 at i + 1, -2^40 at i + 2;  y is 1 + 2^-40 everywhere. Then (1 + 2^-40)^2 = 1
+   + 2^-39 + 2^-80 is the product that is left. b cancels all of it but the last term, which is smaller than
+   the rounding of any of the three. */
 int main(int argc, char **argv)
 {
   const PetscReal    large = PetscPowReal(2, 40), small = PetscPowReal(2, -40), left = -PetscPowReal(2, -80);

@@ -55,8 +55,9 @@ static PetscReal CurvedLength(TestScene *t, Level *level, const char side[], Pet
   return Total(length);
 }
 
-/* A quarter of a ring from a box, by a map of either sense: middle nodes lie on circles too, areas and lengths are those
-   of parabolas, which miss the circle's by the fourth power of the angle over a facet. */
+/* A quarter of a ring from a box, by a map of either sense. Middle nodes lie on circles too. Areas and
+   lengths are those of parabolas, which differ from the circle's by the fourth power of the angle over a
+   facet. */
 static void TestRing(PetscBool simplex, const char map[])
 {
   TestScene t;

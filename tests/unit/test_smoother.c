@@ -26,8 +26,8 @@ static PetscErrorCode Multiply(Mat S, Mat change, PetscInt num, const PetscInt f
   PetscFunctionReturn(0);
 }
 
-/* The smoother of a finest level solves with the matrix that those of other levels have, without fixed unknowns: body by body, with a
-   change of A, and again without one. */
+/* The smoother of a finest level solves with the matrix that those of other levels have, without fixed
+   unknowns. It does so body by body, with a change of A, and again without one. */
 static PetscErrorCode TestBodies(VI vi)
 {
   Operator           op;

@@ -2,8 +2,8 @@
 #include "solid_scene.h"
 
 enum { NUM_ARCS = 8, NUM_FILES = 4 };
-/* A drum of radius 1 and height 1 whose rim is eight parabolas, extruded: of hexahedra with 27 and 20 nodes and of
-   tetrahedra with 10. */
+/* A drum of radius 1 and height 1 whose rim is eight parabolas, extruded. Its files have hexahedra with 27
+   and 20 nodes and tetrahedra with 10. */
 static const char *const DrumFile[NUM_FILES] = {MESHES "/drum_22.msh", MESHES "/drum_41_bin.msh",
                                                 MESHES "/drum_tets_41.msh", MESHES "/drum_tets_22_bin.msh"};
 static const PetscInt    NumCells[NUM_FILES] = {12, 12, 72, 72};
@@ -51,8 +51,8 @@ static void CheckRim(TestScene *t, Level *level, PetscInt body)
   CHECK(!FacetsDestroy(&facets));
 }
 
-/* Measures of a share of the drum with the sides in use, of which none is inside out: the flux of (x, y, z) through a closed
-   surface is three times the volume. */
+/* Measures of a share of the drum with the sides in use, of which none is inside out. The flux of (x, y, z)
+   through a closed surface is three times the volume. */
 static void CheckMeasures(TestScene *t, Level *level, PetscInt body, PetscReal share, PetscReal area)
 {
   SideSums sums;

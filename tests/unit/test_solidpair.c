@@ -241,8 +241,8 @@ static PetscErrorCode TestCuts(ElementType cell, ElementType cell_m, PairMultipl
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The mortar side ends along a line that runs askew through the nonmortar side and passes a node at a distance: facets are cut to
-   triangles, pentagons, slivers. What is covered is the area beside the line. */
+/* The mortar side ends along a line that runs askew through the nonmortar side and passes a node at a
+   distance. Facets are cut to triangles, pentagons, slivers. What is covered is the area beside the line. */
 static PetscErrorCode TestAskew(ElementType cell, ElementType cell_m)
 {
   const PetscReal distance[5] = {0.05, 1e-2, 1e-3, 1e-5, -1e-5}, slope = 0.7, far = 4, down[DIM] = {0, 0, -1};
@@ -305,8 +305,8 @@ static PetscErrorCode TestCrosspoints(ElementType cell, PairMultipliers multipli
 /* Picks one of six values by x = 0..5. */
 #define SIX(a, b, c, d, e, f) "(x<0.5?" #a ":(x<1.5?" #b ":(x<2.5?" #c ":(x<3.5?" #d ":(x<4.5?" #e ":" #f ")))))"
 
-/* A sheet folded twice, so that its side "top" faces up at z = 0, and again at z = -0.9 behind that: the nearer layer counts,
-   once, and the one behind it not even where both are within reach. */
+/* A sheet folded twice, so that its side "top" faces up at z = 0, and again at z = -0.9 behind that. The
+   nearer layer counts, once. The one behind it does not count even where both are within reach. */
 static PetscErrorCode TestTwoLayers(ElementType cell)
 {
   const char *fold = "(1-z)*" SIX(0, 1, 1, -0.1, -0.1, 1) "+z*" SIX(0, 1.1, 1.1, 0, 0, 1) ", y, (1-z)*" SIX(

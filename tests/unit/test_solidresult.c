@@ -218,8 +218,9 @@ static ErrorSquares SquaresOf(const char text[], PetscBool simplex, PetscInt ord
   return squares;
 }
 
-/* Norms of a polynomial, and of a displacement whose strains have no bound at a corner of the cube: with u = (r^(1/2), 0, 0)
-   these are int r = 3^(1/2)/4 - pi/24 + ln(2 + 3^(1/2))/2, and (lambda + 4 mu)/12 int 1/r = ... (3/2 ln(2 + 3^(1/2)) - pi/4). */
+/* Norms of a polynomial, and of a displacement whose strains have no bound at a corner of the cube. With u =
+   (r^(1/2), 0, 0) these are int r = 3^(1/2)/4 - pi/24 + ln(2 + 3^(1/2))/2, and (lambda + 4 mu)/12 int 1/r =
+   ... (3/2 ln(2 + 3^(1/2)) - pi/4). */
 static void TestNorms(PetscBool simplex, PetscInt order)
 {
   const PetscReal nu = 0.3, mu = 1 / (2 * (1 + nu)), lambda = nu / ((1 + nu) * (1 - 2 * nu)), l = log(2 + sqrt(3.));

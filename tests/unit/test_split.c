@@ -1,5 +1,6 @@
-/* test_split.c -- random splittings of quadrilaterals, also around vertices of three and of more cells: cells that touch differ by one splitting
-   at most, vertices hang on edges whose ends do not, area and sides are kept, no numbering matters. Takes the number of meshes. */
+/* test_split.c -- random splittings of quadrilaterals, also around vertices of three and of more cells. Cells
+   that touch differ by one splitting at most. Vertices hang on edges whose ends do not. Area and sides are
+   kept, no numbering matters. Takes the number of meshes. */
 #include "kernel/bisect.h"
 #include "base/compat.h"
 #include <stdlib.h>
