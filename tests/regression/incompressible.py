@@ -1,4 +1,5 @@
-"""R7: two plates at nu = 0.4999, against an independent high-order reference (hp Gauss-Lobatto elements, 153748 unknowns).
+"""R7: two plates at nu = 0.4999, against independent displacements of order 14 on tensor meshes graded to all corners and to the end of contact
+(86 515 unknowns, residuals in 80 bits; gradings by 0.15 and 0.25 and orders 10 to 14 agree to 4e-4 and 0.2). Others: -4587.444 (order 8), -4587.455 +- 0.022.
 
 Cells of order 1 without projection are 31 % off in the potential and 19 % in the force.
 """
@@ -7,7 +8,7 @@ import sys
 from judge import near
 
 POISSON = 0.4999
-POTENTIAL, FORCE, END = -4587.455, 2277073.26, 0.42086
+POTENTIAL, FORCE, END = -4587.4452, 2277068.6, 0.42100
 ALLOWED = {"1": (1e-2, 5e-3), "2": (1e-3, 5e-4)}  # order 1: as it was asked for
 
 
