@@ -98,47 +98,6 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
   floors->area += BarFloorsGetArea_Private(level->scene, facets->type[f], X) / 2;
 }
 
-/* Size of the smallest facet at the largest pressure of a pair; 0 without contact. Collective. */
-static PetscErrorCode BarFloorsPeakSizeOfPair_Private(Fields fields, PetscInt p, PetscReal *size)
-{
-  const Level       *level  = fields->vi->level;
-  const Facets      *facets = &fields->vi->pairs[p]->points->facets;
-  Vec                nodal, local;
-  const PetscScalar *pressure;
-  PairSum            sum;
-
-  PetscFunctionBeginUser;
-  *size = PETSC_MAX_REAL;
-  PetscCall(PairSumCompute(fields, p, &sum));
-  PetscCall(BarFloorsCreateNodal_Private(fields, p, &nodal));
-  PetscCall(VecGhostGetLocalForm(nodal, &local));
-  PetscCall(VecGetArrayRead(local, &pressure));
-  for (PetscInt f = 0; f < facets->num && sum.max_pressure > 0; f++) {
-    const PetscInt *nodes = &facets->nodes[f * F];
-    PetscReal       X[3 * F];
-    PetscBool       peak = PETSC_FALSE;
-
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
-      peak = (PetscBool)(peak || PetscRealPart(pressure[3 * nodes[i]]) >= sum.max_pressure);
-    if (!peak) continue;
-    ContactFacetCoordinates(level, facets, f, X);
-    *size = PetscMin(*size, ContactFacetSize(level->dim, facets->type[f], X));
-  }
-  PetscCall(VecRestoreArrayRead(local, &pressure));
-  PetscCall(VecGhostRestoreLocalForm(nodal, &local));
-  PetscCall(VecDestroy(&nodal));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MIN, level->comm));
-  if (*size == PETSC_MAX_REAL) *size = 0;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode BarFloorsGetPeakSizes(Fields fields, PetscReal sizes[])
-{
-  PetscFunctionBeginUser;
-  for (PetscInt p = 0; p < fields->vi->num_pairs; p++) PetscCall(BarFloorsPeakSizeOfPair_Private(fields, p, &sizes[p]));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFloors *floors)
 {
   const Level     *level  = fields->vi->level;

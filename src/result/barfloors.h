@@ -22,8 +22,5 @@ typedef struct {
 /* Collective. [out] floors - to be freed by BarFloorsDestroy() */
 PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors);
 PetscErrorCode BarFloorsDestroy(BarFloors *floors);
-/* Size of the smallest facet at the largest pressure of each pair; 0 without contact. Collective.
-   [out] sizes - [num_pairs] */
-PetscErrorCode BarFloorsGetPeakSizes(Fields fields, PetscReal sizes[]);
 
 #endif

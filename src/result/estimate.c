@@ -137,7 +137,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
 {
   const Level   *level = fields->vi->level;
   const PetscInt num   = level->scene->num_bodies;
-  PetscReal      sums[3];
+  PetscReal      sums[4];
   Compliance     compliance;
   Estimate       e;
 
@@ -149,7 +149,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
   PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs, e->hidden));
   PetscCall(EstimateShareHidden_Private(level->comm, fields->vi->num_pairs, e->hidden));
-  if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->signs));
+  if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->supports));
   EstimateSetAged_Private(level, e);
   if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
   PetscCall(ComplianceDestroy(&compliance));
@@ -159,9 +159,11 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   sums[0] = e->signs;
   sums[1] = e->geometry;
   sums[2] = e->lost;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPIU_REAL, MPI_SUM, level->comm));
+  sums[3] = e->supports;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, level->comm));
   e->lost     = sums[2];
-  e->signs    = sums[0] + e->lost;
+  e->supports = sums[3];
+  e->signs    = sums[0] + e->lost + e->supports;
   e->geometry = sums[1];
   for (PetscInt b = 0; b < num; b++) e->squared += e->body[b];
   *estimate = e;

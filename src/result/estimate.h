@@ -21,9 +21,10 @@ struct _n_Estimate {
   PetscReal  squared;  /* their sum */
   PetscReal  geometry; /* the part of GeometryAdd(): it needs no calibration */
   PetscReal *aged;     /* parts of the rest: cells of each Level.cell_age; the same on all ranks [MESH_MAX_ADAPTED] */
-  PetscReal  signs;    /* L = -2 int lambda . d - 2 int W s - 2 int s* n . (u_D - u) + lost:  2 (J_h - J) = |e|^2 + L */
+  PetscReal  signs;    /* L = -2 int lambda . d - 2 int W s + supports + lost:  2 (J_h - J) = |e|^2 + L */
   PetscReal  lost; /* -2 int p* (div u - theta) with the mean stress p*: what u changes its volume by beside theta */
-  PetscReal  norm; /* |u|_a^2: twice the strain energy */
+  PetscReal  supports;   /* -2 int s* n . (u_D - u): the work of moved supports on what u misses of them */
+  PetscReal  norm;       /* |u|_a^2: twice the strain energy */
   PetscReal  potential;  /* J_h */
   HiddenContact *hidden; /* the same on all ranks [num_pairs] */
   PetscBool      missed; /* whether nothing moves while a pair has such a place: all of the solution is missing */

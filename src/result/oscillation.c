@@ -177,7 +177,8 @@ static PetscReal OscillationGetWork_Private(const Solution *solution, const Samp
 
 /* One boundary of a body. Collective. */
 static PetscErrorCode OscillationAddBoundary_Private(const Solution *solution, PetscInt body,
-                                                     const SceneBoundary *boundary, PetscReal cell[], PetscReal *signs)
+                                                     const SceneBoundary *boundary, PetscReal cell[],
+                                                     PetscReal *supports)
 {
   Level    *level = solution->level;
   Facets    facets;
@@ -200,7 +201,7 @@ static PetscErrorCode OscillationAddBoundary_Private(const Solution *solution, P
       for (PetscInt i = 0; i < samples.num * level->dim; i++)
         squared += samples.weight[i / level->dim] * PetscSqr(samples.value[i]);
       cell[c] += PETSC_PI * modulus / size * squared;
-      *signs -= 2 * OscillationGetWork_Private(solution, &samples, material, nodes, X);
+      *supports -= 2 * OscillationGetWork_Private(solution, &samples, material, nodes, X);
     } else {
       cell[c] += 2 / PETSC_PI * size / modulus * SamplesGetOscillation_Private(&samples, direction);
     }
@@ -209,7 +210,7 @@ static PetscErrorCode OscillationAddBoundary_Private(const Solution *solution, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal cell[], PetscReal *signs)
+PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal cell[], PetscReal *supports)
 {
   Solution    solution = {.level = fields->vi->level, .compliance = compliance};
   const Scene scene    = solution.level->scene;
@@ -227,7 +228,7 @@ PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal c
       if (boundary->kind == BOUNDARY_NORMAL || boundary->kind == BOUNDARY_FORCE || boundary->kind == BOUNDARY_MOMENT)
         continue;
       if (ExpressionIsConstant(boundary->value)) continue;
-      PetscCall(OscillationAddBoundary_Private(&solution, b, boundary, cell, signs));
+      PetscCall(OscillationAddBoundary_Private(&solution, b, boundary, cell, supports));
     }
   }
   PetscCall(NodalStressRestoreArrays(&fields->stress, &solution.stress));

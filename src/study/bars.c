@@ -148,16 +148,25 @@ static PetscReal BarsGetStep_Private(PetscReal step, PetscReal before, PetscReal
   return step / PetscMax(1, PetscLog2Real(before / size));
 }
 
+/* Whether a side or an obstacle ends at the largest pressure of the last mesh. There, facets need not be
+   small against a rounded edge before growth counts, only against the contact, and that at last. */
+static PetscBool BarsPeakEnds_Private(const BarHistory *history, PetscInt p)
+{
+  const PeakShape shape = history->mesh[history->num - 1].peak[p].shape;
+
+  return (PetscBool)(shape == PEAK_END || shape == PEAK_KINK);
+}
+
 /* Whether a largest pressure grows by increments that do not shrink, on meshes that resolve the contact. */
 static PetscBool BarsGrows_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
 {
-  const PetscInt first = history->num - PEAK_MESHES;
+  const PetscInt first = history->num - PEAK_MESHES, fine = BarsPeakEnds_Private(history, p) ? history->num - 1 : first;
   const BarMesh *mesh  = history->mesh;
   PetscReal      least = 0;
 
-  if (first < 1 || !BarsPeakIsFine_Private(history, path, first, mesh[first].peak[p])) return PETSC_FALSE;
+  if (first < 1 || !BarsPeakIsFine_Private(history, path, fine, mesh[fine].peak[p].size)) return PETSC_FALSE;
   for (PetscInt j = first; j < history->num; j++) {
-    const PetscReal step = BarsGetStep_Private(Q[j] - Q[j - 1], mesh[j - 1].peak[p], mesh[j].peak[p]);
+    const PetscReal step = BarsGetStep_Private(Q[j] - Q[j - 1], mesh[j - 1].peak[p].size, mesh[j].peak[p].size);
 
     if (!(step > least)) return PETSC_FALSE;
     least = STILL_GROWS * step;
@@ -169,41 +178,65 @@ static PetscBool BarsGrows_Private(const BarHistory *history, const BarPath *pat
    that. */
 static PetscBool BarsIsCorner_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
 {
-  const PetscInt first = history->num - PEAK_MESHES;
+  const PetscInt first = history->num - PEAK_MESHES, fine = BarsPeakEnds_Private(history, p) ? history->num - 1 : first;
   const BarMesh *mesh;
   PetscReal      power[PEAK_MESHES];
 
-  if (first < 0 || !BarsPeakIsFine_Private(history, path, first, history->mesh[first].peak[p])) return PETSC_FALSE;
+  if (first < 0 || !BarsPeakIsFine_Private(history, path, fine, history->mesh[fine].peak[p].size)) return PETSC_FALSE;
   mesh = &history->mesh[first];
   Q    = &Q[first];
   for (PetscInt j = 1; j < PEAK_MESHES; j++) {
-    if (!(mesh[j].peak[p] <= CORNER_REFINED * mesh[j - 1].peak[p] && Q[j - 1] > 0)) return PETSC_FALSE;
-    power[j] = PetscLogReal(Q[j] / Q[j - 1]) / PetscLogReal(mesh[j - 1].peak[p] / mesh[j].peak[p]);
+    const PetscReal size = mesh[j].peak[p].size, before = mesh[j - 1].peak[p].size;
+
+    if (!(size <= CORNER_REFINED * before && Q[j - 1] > 0)) return PETSC_FALSE;
+    power[j] = PetscLogReal(Q[j] / Q[j - 1]) / PetscLogReal(before / size);
     if (!(power[j] >= CORNER_POWER && power[j] <= CORNER_MOST)) return PETSC_FALSE;
     if (j > 1 && !(power[j] > STILL_GROWS * power[j - 1])) return PETSC_FALSE;
   }
   return PETSC_TRUE;
 }
 
-/* Whether a largest pressure grows over the last sizes of its facets. Facets are not refined for each mesh,
-   and a mesh that refines the other side alone may lower it: the largest one of each size counts. */
+/* The largest pressure of each of the last sizes of its facets, fine to coarse. Facets are not refined for
+   each mesh, and a mesh that refines the other side alone may lower it. Returns the number of sizes.
+   [out] size, most - [PEAK_SIZES] */
+static PetscInt BarsGetSizes_Private(const BarHistory *history, PetscInt p, const PetscReal Q[], PetscReal size[],
+                                     PetscReal most[])
+{
+  PetscInt k = 0;
+
+  for (PetscInt mesh = history->num - 1; mesh >= 0; mesh--) {
+    const PetscReal here = history->mesh[mesh].peak[p].size;
+
+    if (k == 0 || size[k - 1] <= CORNER_REFINED * here) {
+      if (k == PEAK_SIZES) break;
+      size[k]   = here;
+      most[k++] = Q[mesh];
+    } else if (k == 1) {
+      size[0] = here;
+    }
+    most[k - 1] = PetscMax(most[k - 1], Q[mesh]);
+  }
+  return k;
+}
+
+/* Whether a largest pressure grows over the last sizes of its facets. */
 static PetscBool BarsPeakGrows_Private(const BarHistory *history, const BarPath *path, PetscInt p, const PetscReal Q[])
 {
-  const PetscInt last             = history->num - 1;
-  PetscReal      most[PEAK_SIZES] = {0}, size = 0;
-  PetscInt       k = 0;
+  const PetscInt last = history->num - 1, fine = BarsPeakEnds_Private(history, p) ? 1 : PEAK_SIZES - 1;
+  PetscReal      most[PEAK_SIZES], size[PEAK_SIZES];
 
-  for (PetscInt mesh = last; mesh >= 0; mesh--) { // fine to coarse
-    const PetscReal peak = history->mesh[mesh].peak[p];
+  return (PetscBool)(BarsGetSizes_Private(history, p, Q, size, most) == PEAK_SIZES &&
+                     BarsPeakIsFine_Private(history, path, last, size[fine]) && most[0] - most[4] > GROWN * most[0] &&
+                     most[0] > most[1] && most[2] > most[4] && most[0] - most[2] > CORNER_GROWS * (most[2] - most[4]));
+}
 
-    if (size > 0 && size <= CORNER_REFINED * peak) k++;
-    if (k == PEAK_SIZES) break;
-    if (k == 0 || size <= CORNER_REFINED * peak) size = peak;
-    most[k] = PetscMax(most[k], Q[mesh]);
-  }
-  return (PetscBool)(k + 1 >= PEAK_SIZES && BarsPeakIsFine_Private(history, path, last, size) &&
-                     most[0] - most[4] > GROWN * most[0] && most[0] > most[1] && most[2] > most[4] &&
-                     most[0] - most[2] > CORNER_GROWS * (most[2] - most[4]));
+/* Whether the largest pressure at an edge of an obstacle is larger than on facets of the size before. */
+static PetscBool BarsEdgeGrows_Private(const BarHistory *history, PetscInt p, const PetscReal Q[])
+{
+  PetscReal most[PEAK_SIZES], size[PEAK_SIZES];
+
+  return (PetscBool)(history->num >= PEAK_MESHES && BarsGetSizes_Private(history, p, Q, size, most) > 1 &&
+                     most[0] - most[1] > SEEN_GROWING * most[0]);
 }
 
 /* Whether a largest pressure has no limit. What earlier meshes showed of a corner holds until PEAK_DOUBTS
@@ -212,17 +245,20 @@ static PetscBool BarsPeakGrows_Private(const BarHistory *history, const BarPath 
 static PetscBool BarsIsUnbounded_Private(const BarHistory *history, const BarPath *path, PetscInt p,
                                          const PetscReal Q[])
 {
-  BarHistory part   = *history;
-  PetscReal  size   = history->mesh[history->num - 1].peak[p];
-  PetscInt   doubts = 0;
+  const Peak *last   = &history->mesh[history->num - 1].peak[p];
+  BarHistory  part   = *history;
+  PetscReal   size   = last->size;
+  PetscInt    doubts = 0;
 
+  if (last->shape == PEAK_SMOOTH) return PETSC_FALSE;
+  if (last->shape == PEAK_KINK && BarsEdgeGrows_Private(history, p, Q)) return PETSC_TRUE;
   if (BarsGrows_Private(history, path, p, Q)) return PETSC_TRUE;
   for (part.num = history->num; part.num >= PEAK_MESHES && doubts < PEAK_DOUBTS; part.num--) {
-    const PetscReal peak = history->mesh[part.num - 1].peak[p];
+    const PetscReal before = history->mesh[part.num - 1].peak[p].size;
 
-    if (size <= CORNER_REFINED * peak) {
+    if (size <= CORNER_REFINED * before) {
       doubts++;
-      size = peak;
+      size = before;
     }
     if (doubts < PEAK_DOUBTS && (BarsIsCorner_Private(&part, path, p, Q) || BarsPeakGrows_Private(&part, path, p, Q)))
       return PETSC_TRUE;

@@ -4,12 +4,13 @@
 
 #include <cjson/cJSON.h>
 #include "result/barfloors.h"
+#include "result/peak.h"
 
 /* One mesh. */
 typedef struct {
-  const cJSON     *row;  /* of SummaryCreateStep() */
-  PetscReal        eta;  /* its error estimate, not calibrated */
-  const PetscReal *peak; /* of BarFloorsGetPeakSizes() [num_pairs] */
+  const cJSON *row;  /* of SummaryCreateStep() */
+  PetscReal    eta;  /* its error estimate, not calibrated */
+  const Peak  *peak; /* of pairs [num_pairs] */
 } BarMesh;
 
 /* All meshes so far, coarse first, and estimates of the finest one. */

@@ -51,8 +51,10 @@ static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const L
   for (PetscInt k = 0; k < history->num; k++) {
     const SolvedMesh *mesh = &history->mesh[k];
 
-    meshes[k] = (CalibrationMesh){
-        .squared = PetscSqr(mesh->eta) - mesh->geometry, .energy = SolvedMeshGetEnergy(mesh), .lost = mesh->lost};
+    meshes[k] = (CalibrationMesh){.squared  = PetscSqr(mesh->eta) - mesh->geometry,
+                                  .energy   = SolvedMeshGetEnergy(mesh),
+                                  .lost     = mesh->lost,
+                                  .supports = mesh->supports};
   }
   history->mesh[history->num - 1].theta =
       SceneHasFriction(level->scene) ? standard : CalibrationFind(history->num, meshes, standard, estimate);
@@ -88,14 +90,15 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
                        .missed     = estimate->missed,
                        .potential  = estimate->potential,
                        .signs      = estimate->signs,
-                       .lost       = estimate->lost};
+                       .lost       = estimate->lost,
+                       .supports   = estimate->supports};
   PetscCall(VecNorm(run->fields->u, NORM_INFINITY, &size));
   if (mesh->norm <= PetscSqr(RIGID * size) * run->vi->stiffness) mesh->norm = 0;
   PetscCall(MeshHistoryCalibrate_Private(history, level, estimate));
   mesh->error = EstimateGetError(estimate, mesh->theta);
   PetscCall(SummaryCreateStep(&input, &mesh->row));
   PetscCall(PetscMalloc1(run->scene->num_pairs, &mesh->peak));
-  PetscCall(BarFloorsGetPeakSizes(run->fields, mesh->peak));
+  for (PetscInt p = 0; p < run->scene->num_pairs; p++) PetscCall(PeakGet(run->fields, p, &mesh->peak[p]));
   mesh->seconds = seconds + LogWallClock() - begin;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

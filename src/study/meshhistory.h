@@ -3,18 +3,20 @@
 #ifndef MORTISE_MESHHISTORY_H
 #define MORTISE_MESHHISTORY_H
 
+#include "result/peak.h"
 #include "study/goals.h"
 
 /* One mesh. */
 typedef struct {
   PetscInt  cells, unknowns, iterations, active;
   PetscReal eta, geometry, theta, error; /* estimate, the part of its square from curves, calibration, E (15.3, 15.4) */
-  PetscReal norm, potential, signs, lost; /* |u|_a^2 (0: rounding), J_h, L, its part of changes of volume */
-  PetscReal seconds;                      /* from the mesh to its bars */
-  PetscBool missed;                       /* whether contact was missed and nothing moves */
-  cJSON    *row;                          /* of SummaryCreateStep() */
-  PetscReal *peak;                        /* of BarFloorsGetPeakSizes() [num_pairs] */
-  GoalState *goals;                       /* [scene->adapt.num_goals], or NULL */
+  PetscReal norm, potential, signs;      /* |u|_a^2 (0: rounding), J_h, L */
+  PetscReal lost, supports;              /* parts of L: changes of volume, moved supports */
+  PetscReal seconds;                     /* from the mesh to its bars */
+  PetscBool missed;                      /* whether contact was missed and nothing moves */
+  cJSON    *row;                         /* of SummaryCreateStep() */
+  Peak     *peak;                        /* of pairs [num_pairs] */
+  GoalState *goals;                      /* [scene->adapt.num_goals], or NULL */
 } SolvedMesh;
 
 /* All meshes, coarse first. Zero means empty. */

@@ -58,6 +58,8 @@ mortise_scene_test(annulus LONG CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -o
 mortise_scene_test(annulus_1 SCENE annulus CHECK true_error.py RANKS 1 ARGS -order 1 -study adaptive -study_levels 10)
 mortise_scene_test(edge_2 SCENE edge2d CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 2 -study adaptive -study_levels 10)
 mortise_scene_test(edge_1 SCENE edge2d CHECK true_error.py RANKS 1 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 1 -study adaptive -study_levels 9)
+mortise_scene_test(edge_tight CHECK true_error.py RANKS 1 ARGS -order 2 -study adaptive -study_levels 10)
+mortise_scene_test(kept_edge_tight SCENE edge_tight CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 11 -adapt_cells kept)
 # Data between the nodes; stiffness ratios of 1e-6 and 1e6.
 mortise_scene_test(waves CHECK waves.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(punch CHECK punch.py RANKS 1 ARGS -adapt 0.1)
@@ -66,6 +68,8 @@ mortise_scene_test(corner_square SCENE two_plates CHECK corner.py RANKS 1 ARGS -
   -upper_dm_plex_box_lower -0.5,0 -upper_dm_plex_box_upper 0.5,1 -upper_dm_plex_box_faces 3,3 -upper_young 1000 -upper_bc_traction_left 0,0
   -lower_dm_plex_box_lower -2,-2 -lower_dm_plex_box_upper 2,0 -lower_dm_plex_box_faces 8,4 -lower_young 1000 -lower_bc_traction_right 0,0
   -upper_bc_displacement_top 0,-0.001 -probe_corner_at 0,1 -probe_middle_at 0,0.5)
+mortise_scene_test(edges SCENE r4b CHECK edges.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 0.5)
+mortise_scene_test(logarithm SCENE two_plates CHECK logarithm.py RANKS 1 ARGS ${plates} -order 1 -adapt 1e-1)
 mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)
 # Levels of a study give the same bars.
 mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
