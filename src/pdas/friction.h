@@ -26,7 +26,7 @@ typedef struct {
 /* Results of the last solve. */
 typedef struct {
   PetscInt  slipping, sticking; /* nodes */
-  PetscReal rho; /* spectral radius of G -> coefficient r_n(G) at slipping nodes: locally unique if < 1 (eq. 16.5) */
+  PetscReal rho; /* spectral radius of G -> coefficient r_n(G) at slipping nodes: locally unique if < 1 (eq. 16.6) */
   PetscInt  shortened; /* Newton steps that were shortened */
 } FrictionReport;
 

@@ -1,5 +1,5 @@
 /* frictionarnoldi.c -- the spectral radius of a linear map, one number per unit, by Arnoldi's method
-   (eq. 16.5). */
+   (eq. 16.6). */
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 

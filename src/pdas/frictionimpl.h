@@ -121,6 +121,9 @@ PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
 /* Sweeps over the units, unless the last steps did not descend. Each unit satisfies its law, with the others
    as they are. */
 PetscErrorCode FrictionProblemSweep(FrictionProblem *problem);
+/* Solves a problem in a plane by complementary pivoting, and forgets the decisions. [out] done - whether that
+   was possible: no solution is found of problems in space, or of very large ones */
+PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool *done);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 /* rho of FrictionReport, by power iteration. */

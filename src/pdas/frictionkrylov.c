@@ -12,8 +12,9 @@ static const PetscReal FRICTION_RTOL = 1e-10;
    LEAST_FORCING. */
 static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5, LAST_FORCING = 0.2,
                        LEAST_FORCING = 1e-9;
-/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. */
-enum { PATIENCE = 40 };
+/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual, and
+   begins anew without proximal steps after SWEPT_PATIENCE of them. */
+enum { PATIENCE = 40, SWEPT_PATIENCE = 10 };
 static const PetscReal DESCENT = 0.9;
 /* Tolerance of coarser levels: their solution is only an initial guess. They need no rho, which costs as much
    as two steps. */
@@ -260,9 +261,10 @@ static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
 
 static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
 {
-  Krylov      *t = method->data;
-  FrictionStep before;
-  PetscReal    forcing = FIRST_FORCING;
+  const PetscInt patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
+  Krylov        *t        = method->data;
+  FrictionStep   before;
+  PetscReal      forcing = FIRST_FORCING;
 
   PetscFunctionBeginUser;
   PetscCall(FrictionKrylovSettle_Private(method));
@@ -270,7 +272,7 @@ static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
   PetscCall(FrictionKrylovDecide_Private(method, before.residual, step, &forcing));
   PetscCall(FrictionKrylovSolve_Private(method, before.residual, forcing, step));
   PetscCall(FrictionKrylovConfirm_Private(method, step));
-  if (!step->done && t->waiting >= PATIENCE) method->pdas->failure = FAILURE_FRICTION;
+  if (!step->done && t->waiting >= patience) method->pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

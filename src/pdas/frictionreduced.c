@@ -7,9 +7,12 @@
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
-/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. */
-enum { PATIENCE = 40, FRICTION_REFINEMENTS = 2 };
+/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual, and
+   begins anew without sweeps after SWEPT_PATIENCE of them. */
+enum { PATIENCE = 40, SWEPT_PATIENCE = 10, FRICTION_REFINEMENTS = 2 };
 static const PetscReal DESCENT = 0.9;
+/* After PIVOT_STEPS steps in a row that do not descend, pivoting finds a solution, once. */
+enum { PIVOT_STEPS = 5 };
 
 typedef struct {
   PetscMPIInt     rank;
@@ -17,6 +20,7 @@ typedef struct {
   PetscReal      *from, *to; /* y at the begin and the end of a step; on the first rank [n] */
   PetscReal       least;     /* residual so far */
   PetscInt        waiting;   /* steps since then */
+  PetscBool       pivoted;   /* pivoting was tried */
 } Reduced;
 
 /* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from)
@@ -57,15 +61,30 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *short
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step on the first rank. [in] plain - of the method; [out] failed */
-static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool plain, FrictionStep *step,
-                                                       PetscBool *failed)
+/* Improves y before the decisions. [in] plain - of the method; [in] pivots - whether pivoting is allowed */
+static PetscErrorCode FrictionReducedSettle_Private(Reduced *t, PetscBool plain, PetscBool pivots)
+{
+  PetscBool done = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (pivots && !t->pivoted && t->waiting >= PIVOT_STEPS) {
+    t->pivoted = PETSC_TRUE;
+    PetscCall(FrictionProblemPivot(&t->problem, &done));
+    if (done) t->problem.units->waiting = 0;
+  }
+  if (!plain && !done) PetscCall(FrictionProblemSweep(&t->problem));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* One step on the first rank. [in] plain, pivots - of FrictionReducedSettle_Private(); [out] failed */
+static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool plain, PetscBool pivots,
+                                                       FrictionStep *step, PetscBool *failed)
 {
   FrictionUnits *units = t->problem.units;
   FrictionReport count;
 
   PetscFunctionBeginUser;
-  if (!plain) PetscCall(FrictionProblemSweep(&t->problem));
+  PetscCall(FrictionReducedSettle_Private(t, plain, pivots));
   PetscCall(FrictionUnitsDecide(units, &step->changed));
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));
@@ -79,7 +98,7 @@ static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool pla
   t->waiting     = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
   t->least       = PetscMin(t->least, step->residual);
   units->waiting = t->waiting;
-  *failed        = (PetscBool)(t->waiting >= PATIENCE);
+  *failed        = (PetscBool)(t->waiting >= (plain || !pivots ? PATIENCE : SWEPT_PATIENCE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -89,7 +108,8 @@ static PetscErrorCode Step_Reduced(FrictionMethod method, FrictionStep *step)
   PetscBool failed = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, method->plain, step, &failed));
+  if (!t->rank)
+    PetscCall(FrictionReducedStepFirst_Private(t, method->plain, (PetscBool)!method->pdas->fixed_point, step, &failed));
   PetscCallMPI(MPI_Bcast(step, sizeof(*step), MPI_BYTE, 0, method->pdas->set.comm));
   PetscCallMPI(MPI_Bcast(&failed, 1, MPIU_BOOL, 0, method->pdas->set.comm));
   if (failed) method->pdas->failure = FAILURE_FRICTION;

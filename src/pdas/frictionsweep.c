@@ -8,8 +8,9 @@
 #include <petscblaslapack.h>
 
 /* Sweeps before each step. None before a first step without displacements: sweeps carry loads only a few
-   units far. None after SWEEP_PATIENCE steps in a row that do not descend: then the steps alone must. */
-enum { SWEEPS = 20, SWEEP_PATIENCE = 3 };
+   units far. None after SWEEP_PATIENCE steps in a row that do not descend: then the steps alone must. Sweeps
+   go on while they descend, up to one for every SWEEP_COST unknowns: half the cost of a factorization. */
+enum { SWEEPS = 20, SWEEP_PATIENCE = 3, SWEEP_COST = 6 };
 
 /* y_i += by. The forces follow. */
 static PetscErrorCode FrictionSweepMove_Private(FrictionProblem *problem, PetscInt i, PetscReal by)
@@ -51,16 +52,40 @@ static PetscErrorCode FrictionSweepUnit_Private(FrictionProblem *problem, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionProblemSweep(FrictionProblem *problem)
+/* SWEEPS sweeps. [in] kept - memory [n]; [out] descends - else they lead away, as from one of several
+   solutions, and are taken back */
+static PetscErrorCode FrictionSweepSome_Private(FrictionProblem *problem, PetscReal kept[], PetscBool *descends)
 {
-  const PetscInt last  = problem->units->num - 1;
-  PetscBool      moved = PETSC_FALSE;
+  FrictionUnits *units = problem->units;
+  const PetscInt last  = units->num - 1;
+  PetscReal      before, after, size;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < problem->units->n; i++) moved = (PetscBool)(moved || problem->units->y[i] != 0);
-  if (!moved || problem->units->waiting >= SWEEP_PATIENCE) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscArraycpy(kept, units->y, units->n));
+  PetscCall(FrictionUnitsResidual(units, 1, &before, &size));
   for (PetscInt k = 0; k < SWEEPS; k++)
     for (PetscInt a = 0; a <= last; a++)
-      PetscCall(FrictionSweepUnit_Private(problem, &problem->units->unit[k % 2 ? last - a : a]));
+      PetscCall(FrictionSweepUnit_Private(problem, &units->unit[k % 2 ? last - a : a]));
+  PetscCall(FrictionUnitsResidual(units, 1, &after, &size));
+  *descends = (PetscBool)(after < before);
+  if (*descends) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscArraycpy(units->y, kept, units->n));
+  PetscCall(FrictionProblemSetForces(problem));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionProblemSweep(FrictionProblem *problem)
+{
+  const FrictionUnits *units = problem->units;
+  PetscBool            moved = PETSC_FALSE, descends = PETSC_TRUE;
+  PetscReal           *kept;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < units->n; i++) moved = (PetscBool)(moved || units->y[i] != 0);
+  if (!moved || units->waiting >= SWEEP_PATIENCE) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(units->n, &kept));
+  for (PetscInt k = 0; descends && k < PetscMax(1, units->n / (SWEEPS * SWEEP_COST)); k++)
+    PetscCall(FrictionSweepSome_Private(problem, kept, &descends));
+  PetscCall(PetscFree(kept));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

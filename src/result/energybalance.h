@@ -1,4 +1,4 @@
-/* energybalance.h -- energy balance of a load step with friction (eq. 16.8). */
+/* energybalance.h -- energy balance of a load step with friction (eq. 16.9). */
 #ifndef MORTISE_ENERGYBALANCE_H
 #define MORTISE_ENERGYBALANCE_H
 

@@ -1,5 +1,5 @@
 /* frictionfields.h -- tangential tractions and slips of pairs with friction, and what is left of the law
-   (eqs. 16.1, 16.6). */
+   (eqs. 16.1, 16.7). */
 #ifndef MORTISE_FRICTIONFIELDS_H
 #define MORTISE_FRICTIONFIELDS_H
 

@@ -1,4 +1,4 @@
-/* frictionrows.c -- the forces of contact with friction on rigid motions (eq. 16.7).
+/* frictionrows.c -- the forces of contact with friction on rigid motions (eq. 16.8).
 
    Forces at a node with friction are in the cone |r_t| <= coefficient r_n. In a plane its two edges generate
    it. In space a pyramid around the cone takes its place: loads outside all pyramids have no equilibrium,

@@ -14,7 +14,7 @@
    no solution with it: it is roundoff, and is ignored.
 
    With friction of given limits (Tresca), tangents that stick are fixed as well, and those that slip carry a
-   load at the limit. A tangent beyond its limit is released, with its force cut to the limit (eq. 16.9).
+   load at the limit. A tangent beyond its limit is released, with its force cut to the limit (eq. 16.10).
 
    An iterative solver has no d. Its preconditioner B and the smallest Ritz value alpha of B A_FF from
    conjugate gradients estimate |d|_A^2 by f.B f / alpha. */

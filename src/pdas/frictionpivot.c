@@ -1,0 +1,259 @@
+/* frictionpivot.c -- the reduced problem in a plane by complementary pivoting (Lemke's method) [1, 2]
+   (eq. 16.5).
+
+   With y = F (g - r), F = S^-1, and forces r of contact, p along normals and beta+ - beta- along tangents,
+   the law is a linear complementarity problem w = M z + q, w >= 0, z >= 0, w.z = 0 of
+
+       w = (gap - y_n,  lambda - s,  lambda + s,  G - beta+ - beta-),   z = (p, beta+, beta-, lambda).
+
+   z.M z = r.F r + mu lambda p >= 0, so M is copositive, and pivoting finds a solution for every coefficient
+   [2]. It takes some pivots for each node, each of them a pass over M: as much as dozens of Newton steps, but
+   never a cycle. It is for problems where Newton's steps do not descend, such as those of several solutions.
+
+   References: [1] Cottle, Pang, Stone, The linear complementarity problem, 1992. [2] Stewart, Trinkle, An
+   implicit time-stepping scheme for rigid body dynamics with inelastic collisions and Coulomb friction,
+   1996. */
+#include "pdas/frictionimpl.h"
+#include <petscblaslapack.h>
+
+/* Largest number of units: pivots then take some seconds. */
+enum { MOST_PIVOTED = 300 };
+/* Pivots for each row before the method gives up. */
+enum { PIVOTS_PER_ROW = 20 };
+/* Elements below this part of the largest in their column are no pivots. */
+static const PetscReal LEAST_PIVOT = 1e-9;
+/* Rows whose ratios differ by this part tie; the largest pivot is taken of them. The covering variable is
+   zero below this part of its first value. */
+static const PetscReal PIVOT_TIES = 1e-12, COVER_ENDS = 1e-11;
+/* Variation of the covering vector: symmetric scenes have no ties then. */
+static const PetscReal COVER_VARIES = 0.1;
+
+/* Rows of one unit. */
+enum { ROW_NORMAL, ROW_PLUS, ROW_MINUS, ROW_LIMIT, ROWS };
+
+/* w = T (nonbasic variables) + q. Variables 0 .. L-1 are w, L .. 2L-1 are z, 2L covers. */
+typedef struct {
+  PetscInt   L, *basic, *free; /* rows; variables of rows [L] and columns [L+1] */
+  PetscInt  *first;            /* row of each unit [num] */
+  PetscReal *T, *q;            /* [L][L+1], [L] */
+  PetscReal *F, *y;            /* S^-1, F g [n][n], [n] */
+} Pivoting;
+
+/* F and y = F g. [out] done - whether S is positive definite */
+static PetscErrorCode FrictionPivotInvert_Private(const FrictionProblem *problem, Pivoting *t, PetscBool *done)
+{
+  const PetscInt n = problem->units->n;
+  PetscBLASInt   N, info;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscBLASIntCast(n, &N));
+  PetscCall(PetscArraycpy(t->F, problem->S, n * n));
+  PetscCallBLAS("LAPACKpotrf", LAPACKpotrf_("L", &N, t->F, &N, &info));
+  if (!info) PetscCallBLAS("LAPACKpotri", LAPACKpotri_("L", &N, t->F, &N, &info));
+  *done = (PetscBool)!info;
+  for (PetscInt j = 0; j < n; j++)
+    for (PetscInt i = j + 1; i < n; i++) t->F[n * i + j] = t->F[n * j + i];
+  for (PetscInt i = 0; i < n; i++) {
+    t->y[i] = 0;
+    for (PetscInt j = 0; j < n; j++) t->y[i] += t->F[n * i + j] * problem->g[j];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Entries of row `sign` times unknown i of y, scaled to a diagonal of one. */
+static void FrictionPivotSetForces_Private(const FrictionUnits *units, Pivoting *t, PetscInt row, PetscInt i,
+                                           PetscReal sign)
+{
+  const PetscInt n = units->n;
+
+  for (PetscInt a = 0; a < units->num; a++) {
+    const PetscInt  j = units->unit[a].normal, column = t->first[a];
+    const PetscReal scale = sign / PetscSqrtReal(t->F[(n + 1) * i]);
+
+    t->T[row * (t->L + 1) + column] = scale * t->F[n * i + j] / PetscSqrtReal(t->F[(n + 1) * j]);
+    if (!units->unit[a].num) continue;
+    const PetscInt k = units->unit[a].tangent[0];
+
+    t->T[row * (t->L + 1) + column + ROW_PLUS]  = scale * t->F[n * i + k] / PetscSqrtReal(t->F[(n + 1) * k]);
+    t->T[row * (t->L + 1) + column + ROW_MINUS] = -t->T[row * (t->L + 1) + column + ROW_PLUS];
+  }
+}
+
+/* M, q and the covering vector. Lengths are divided by the square root of the flexibility, and forces
+   multiplied by it. */
+static void FrictionPivotAssemble_Private(const FrictionUnits *units, Pivoting *t)
+{
+  const PetscInt n = units->n, L = t->L;
+
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+    const PetscInt      row = t->first[a], i = unit->normal;
+    const PetscReal     normal = PetscSqrtReal(t->F[(n + 1) * i]);
+
+    FrictionPivotSetForces_Private(units, t, row, i, 1);
+    t->q[row] = (unit->upper - t->y[i]) / normal;
+    if (!unit->num) continue;
+    const PetscInt  k       = unit->tangent[0];
+    const PetscReal tangent = PetscSqrtReal(t->F[(n + 1) * k]);
+
+    FrictionPivotSetForces_Private(units, t, row + ROW_PLUS, k, 1);
+    FrictionPivotSetForces_Private(units, t, row + ROW_MINUS, k, -1);
+    t->q[row + ROW_PLUS]                                = (unit->origin[0] - t->y[k]) / tangent;
+    t->q[row + ROW_MINUS]                               = -t->q[row + ROW_PLUS];
+    t->q[row + ROW_LIMIT]                               = unit->bound * tangent;
+    t->T[(row + ROW_PLUS) * (L + 1) + row + ROW_LIMIT]  = 1;
+    t->T[(row + ROW_MINUS) * (L + 1) + row + ROW_LIMIT] = 1;
+    t->T[(row + ROW_LIMIT) * (L + 1) + row]             = unit->coefficient * tangent / normal;
+    t->T[(row + ROW_LIMIT) * (L + 1) + row + ROW_PLUS]  = -1;
+    t->T[(row + ROW_LIMIT) * (L + 1) + row + ROW_MINUS] = -1;
+  }
+  for (PetscInt r = 0; r < L; r++) {
+    t->T[r * (L + 1) + L] = 1 + COVER_VARIES * PetscSinReal((PetscReal)r);
+    t->basic[r]           = r;
+    t->free[r]            = L + r;
+  }
+  t->free[L] = 2 * L;
+}
+
+/* The variables of row r and column c change places. */
+static void FrictionPivotExchange_Private(Pivoting *t, PetscInt r, PetscInt c)
+{
+  const PetscInt  width = t->L + 1, name = t->basic[r];
+  PetscReal      *row     = &t->T[r * width];
+  const PetscReal inverse = 1 / row[c];
+
+  row[c] = -1;
+  for (PetscInt j = 0; j < width; j++) row[j] *= -inverse;
+  t->q[r] *= -inverse;
+  for (PetscInt i = 0; i < t->L; i++) {
+    PetscReal      *other  = &t->T[i * width];
+    const PetscReal factor = other[c];
+
+    if (i == r || factor == 0) continue;
+    other[c] = 0;
+    for (PetscInt j = 0; j < width; j++) other[j] += factor * row[j];
+    t->q[i] += factor * t->q[r];
+  }
+  t->basic[r] = t->free[c];
+  t->free[c]  = name;
+}
+
+/* The row that reaches zero first if the variable of column c grows; -1 for none. The covering variable is
+   preferred. */
+static PetscInt FrictionPivotChooseRow_Private(const Pivoting *t, PetscInt c)
+{
+  PetscReal largest = 0, least = PETSC_MAX_REAL, best = 0;
+  PetscInt  chosen = -1;
+
+  for (PetscInt i = 0; i < t->L; i++) largest = PetscMax(largest, PetscAbsReal(t->T[i * (t->L + 1) + c]));
+  for (PetscInt i = 0; i < t->L; i++) {
+    const PetscReal pivot = -t->T[i * (t->L + 1) + c];
+
+    if (pivot > LEAST_PIVOT * largest) least = PetscMin(least, PetscMax(t->q[i], 0) / pivot);
+  }
+  for (PetscInt i = 0; i < t->L; i++) {
+    const PetscReal pivot = -t->T[i * (t->L + 1) + c];
+
+    if (!(pivot > LEAST_PIVOT * largest) || PetscMax(t->q[i], 0) / pivot > (1 + PIVOT_TIES) * least) continue;
+    if (t->basic[i] == 2 * t->L) return i;
+    if (pivot <= best) continue;
+    best   = pivot;
+    chosen = i;
+  }
+  return chosen;
+}
+
+/* The covering variable. */
+static PetscReal FrictionPivotGetCover_Private(const Pivoting *t)
+{
+  PetscInt i = 0;
+
+  while (i < t->L && t->basic[i] != 2 * t->L) i++;
+  return i < t->L ? t->q[i] : 0;
+}
+
+/* Pivots until the covering variable is zero. [out] done */
+static void FrictionPivotRun_Private(Pivoting *t, PetscBool *done)
+{
+  const PetscInt L   = t->L;
+  PetscInt       row = -1, column = L;
+  PetscReal      ends = 0;
+
+  for (PetscInt i = 0; i < L; i++) {
+    const PetscReal cover = -t->q[i] / t->T[i * (L + 1) + L];
+
+    if (!(cover > ends)) continue;
+    ends = cover;
+    row  = i;
+  }
+  ends *= COVER_ENDS;
+  *done = (PetscBool)(row < 0);
+  for (PetscInt k = 0; row >= 0 && k < PIVOTS_PER_ROW * L && !*done; k++) { // row -1: a ray
+    PetscInt next;
+
+    FrictionPivotExchange_Private(t, row, column);
+    *done = (PetscBool)(FrictionPivotGetCover_Private(t) <= ends);
+    next  = (t->free[column] + L) % (2 * L); // the partner of the variable that left
+    if (*done) continue;
+    for (column = 0; t->free[column] != next;) column++;
+    row = FrictionPivotChooseRow_Private(t, column);
+  }
+}
+
+/* y of the forces that were found. */
+static void FrictionPivotGet_Private(const FrictionUnits *units, const Pivoting *t)
+{
+  const PetscInt n = units->n;
+
+  for (PetscInt i = 0; i < n; i++) units->y[i] = t->y[i];
+  for (PetscInt r = 0; r < t->L; r++) {
+    PetscInt a = 0, kind, j;
+
+    if (t->basic[r] < t->L || t->basic[r] == 2 * t->L) continue;
+    while (a + 1 < units->num && t->first[a + 1] <= t->basic[r] - t->L) a++;
+    kind = t->basic[r] - t->L - t->first[a];
+    if (kind == ROW_LIMIT) continue;
+    j                     = kind == ROW_NORMAL ? units->unit[a].normal : units->unit[a].tangent[0];
+    const PetscReal force = (kind == ROW_MINUS ? -1 : 1) * t->q[r] / PetscSqrtReal(t->F[(n + 1) * j]);
+
+    for (PetscInt i = 0; i < n; i++) units->y[i] -= t->F[n * i + j] * force;
+  }
+}
+
+PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool *done)
+{
+  const FrictionUnits *units = problem->units;
+  Pivoting             t     = {.L = 0};
+
+  PetscFunctionBeginUser;
+  *done = PETSC_FALSE;
+  for (PetscInt a = 0; a < units->num; a++)
+    if (units->unit[a].num > 1) PetscFunctionReturn(PETSC_SUCCESS); // cones of space are not linear
+  if (units->num > MOST_PIVOTED) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(units->num, &t.first));
+  for (PetscInt a = 0; a < units->num; a++) {
+    t.first[a] = t.L;
+    t.L += units->unit[a].num ? ROWS : 1;
+  }
+  PetscCall(PetscCalloc2(t.L * (t.L + 1), &t.T, t.L, &t.q));
+  PetscCall(PetscMalloc2(t.L, &t.basic, t.L + 1, &t.free));
+  PetscCall(PetscMalloc2(units->n * units->n, &t.F, units->n, &t.y));
+  PetscCall(FrictionPivotInvert_Private(problem, &t, done));
+  if (*done) {
+    FrictionPivotAssemble_Private(units, &t);
+    FrictionPivotRun_Private(&t, done);
+  }
+  if (*done) {
+    FrictionPivotGet_Private(units, &t);
+    PetscCall(FrictionProblemSetForces(problem));
+    for (PetscInt a = 0; a < units->num; a++) { // the next ones follow from these values alone
+      units->unit[a].closed = units->unit[a].ended = PETSC_FALSE;
+      units->unit[a].status                        = UNIT_FREE;
+    }
+  }
+  PetscCall(PetscFree(t.first));
+  PetscCall(PetscFree2(t.T, t.q));
+  PetscCall(PetscFree2(t.basic, t.free));
+  PetscCall(PetscFree2(t.F, t.y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

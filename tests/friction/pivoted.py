@@ -1,0 +1,15 @@
+"""A coefficient of 50: among many solutions Newton's steps and sweeps cycle, and complementary pivoting finds one. All of these problems have one, whatever the
+coefficient. The program gave up (exit code 3) after 109 steps; with 20 it took 165."""
+from judge import Run, require
+
+MOST = 12  # Newton steps
+
+
+def judge(run):
+    for coefficient in ("20", "50", "200"):
+        done = Run(run.program, run.mpiexec, run.ranks, run.folder / f"mu{coefficient}", [*run.arguments, "-floor_friction", coefficient])
+        done.require_solved(["large_friction", "not_unique"])
+        solver = done.summary["solver"]
+        require(solver["friction"]["rho"] > 1 and not solver["friction"]["unique"], f"{solver['friction']}")
+        require(max(solver["friction"][key] for key in ("cone", "slip", "dissipation")) < 1e-9, f"{solver['friction']}")
+        require(solver["iterations"] <= MOST, f"coefficient {coefficient}: {solver['iterations']} steps")
