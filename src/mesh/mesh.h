@@ -140,9 +140,6 @@ PetscErrorCode LevelCreateBlocks(Mat P, PetscInt bs, Mat *blocks);
    [in] bs - values at each node; [in,out] v - ghosted, owned values count */
 PetscErrorCode LevelConform(Level *level, PetscInt bs, Vec v);
 PetscErrorCode LevelConformForces(Level *level, PetscInt bs, Vec v);
-/* An AIJ matrix of block size bs for operators between nodes that share a cell, preallocated exactly from the
-   tables. Collective. Owned by the caller. */
-PetscErrorCode LevelCreateMat(Level *level, PetscInt bs, Mat *A);
 
 /* Interpolation from node values of one order to those of a higher one on the same cells. The two scenes
    differ in the order of all bodies alone: then both have the same DMs and partition. Collective.

@@ -1,10 +1,11 @@
 /* cellsums.c -- K as a sum of cell matrices.
 
    A Mat searches the place of every entry, and moves other entries to make room. Here nodes are searched,
-   once for all entries of a block. Entries in rows of other ranks are sent once, as sums, which are made in
-   the order of the cells. Rows that couple nodes of one rank alone go through no Mat. */
+   once for all entries of a block. Blocks in rows of other ranks are sent once, as sums, which are made in
+   the order of the cells; their owner adds them in the order of the ranks. */
 #include "problem/cellsums.h"
 #include "base/compat.h"
+#include "mesh/exchange.h"
 
 /* The cells of every node, ghosts included. */
 typedef struct {
@@ -96,73 +97,242 @@ void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], Symmet
   }
 }
 
-/* The rows of this rank that no other rank adds to, and that have no node of another rank. Collective. [out]
-   complete - [num_owned] */
-static PetscErrorCode CellSumsFindComplete_Private(Level *level, const SymmetricBlocks *sums, PetscBool complete[])
-{
-  PetscScalar *mark;
-  Vec          shared, local;
+/* What is added to one block of K. */
+typedef struct {
+  PetscInt    row, column;                                        /* global numbers of nodes */
+  PetscScalar value[SYMMETRIC_BLOCKS_MAX * SYMMETRIC_BLOCKS_MAX]; /* [bs][bs] */
+} SumBlock;
 
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, 1, &shared));
-  PetscCall(VecGhostGetLocalForm(shared, &local));
-  PetscCall(VecGetArray(local, &mark));
-  for (PetscInt i = level->num_owned; i < level->num_nodes; i++) mark[i] = 1;
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(shared, &local));
-  PetscCall(LevelShareVec(shared, ADD_VALUES));
-  PetscCall(VecGetArray(shared, &mark));
-  for (PetscInt i = 0; i < level->num_owned; i++) // columns ascend, and nodes of other ranks are last
-    complete[i] = (PetscBool)(mark[i] == 0 && sums->column[sums->start[i + 1] - 1] < level->num_owned);
-  PetscCall(VecRestoreArray(shared, &mark));
-  PetscCall(VecDestroy(&shared));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Sums over ranks, but for complete rows. */
-static PetscErrorCode CellSumsGather_Private(Level *level, const SymmetricBlocks *sums, const PetscBool complete[],
-                                             Mat *A)
+/* Blocks in rows of other ranks. [out] owner - of each row [num]; both freed by the caller */
+static PetscErrorCode CellSumsListBlocks_Private(const Level *level, const PetscInt global[],
+                                                 const SymmetricBlocks *sums, PetscInt *num, SumBlock **blocks,
+                                                 PetscMPIInt **owner)
 {
-  const PetscInt dim   = level->dim;
-  PetscInt       width = 0, *nodes;
+  const PetscInt bs    = sums->bs;
+  PetscInt       width = 0;
   PetscScalar   *rows;
+  PetscLayout    layout;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < sums->num; i++) width = PetscMax(width, sums->start[i + 1] - sums->start[i]);
-  PetscCall(PetscMalloc2(width, &nodes, dim * dim * width, &rows));
-  PetscCall(LevelCreateMat(level, dim, A));
-  for (PetscInt i = 0; i < sums->num; i++) {
-    const PetscInt num = sums->start[i + 1] - sums->start[i];
-
-    if (i < level->num_owned && complete[i]) continue;
-    for (PetscInt j = 0; j < num; j++) nodes[j] = level->node_global[sums->column[sums->start[i] + j]];
-    SymmetricBlocksGetRow(sums, i, dim * num, rows);
-    PetscCall(MatSetValuesBlocked(*A, 1, &level->node_global[i], num, nodes, rows, ADD_VALUES));
+  *num = 0;
+  for (PetscInt i = level->num_owned; i < sums->num; i++) {
+    width = PetscMax(width, sums->start[i + 1] - sums->start[i]);
+    *num += sums->start[i + 1] - sums->start[i];
   }
-  PetscCall(PetscFree2(nodes, rows));
-  PetscCall(MatAssemblyBegin(*A, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*A, MAT_FINAL_ASSEMBLY));
+  PetscCall(PetscMalloc1(bs * bs * width, &rows));
+  PetscCall(PetscCalloc1(*num, blocks)); // all of a block is sent
+  PetscCall(PetscMalloc1(*num, owner));
+  *num = 0;
+  for (PetscInt i = level->num_owned; i < sums->num; i++) {
+    const PetscInt length = bs * (sums->start[i + 1] - sums->start[i]);
+
+    SymmetricBlocksGetRow(sums, i, length, rows);
+    for (PetscInt at = sums->start[i]; at < sums->start[i + 1]; at++) {
+      SumBlock *block = &(*blocks)[(*num)++];
+
+      block->row    = global[i];
+      block->column = global[sums->column[at]];
+      for (PetscInt kl = 0; kl < bs * bs; kl++)
+        block->value[kl] = rows[kl / bs * length + bs * (at - sums->start[i]) + kl % bs];
+    }
+  }
+  PetscCall(PetscFree(rows));
+  PetscCall(PetscLayoutCreateFromSizes(level->comm, level->num_owned, PETSC_DETERMINE, 1, &layout));
+  for (PetscInt k = 0; k < *num; k++) PetscCall(PetscLayoutFindOwner(layout, (*blocks)[k].row, &(*owner)[k]));
+  PetscCall(PetscLayoutDestroy(&layout));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CellSumsFinish(Level *level, SymmetricBlocks *sums, Mat *K)
+/* Blocks that this rank's rows get from the ranks, by rows, and for each row in the order of ranks. */
+typedef struct {
+  PetscInt  num, *start; /* [own nodes + 1] */
+  SumBlock *block;       /* [num] */
+} ReceivedBlocks;
+
+static PetscErrorCode CellSumsExchange_Private(const Level *level, const PetscInt global[], const SymmetricBlocks *sums,
+                                               ReceivedBlocks *received)
 {
-  PetscMPIInt size;
-  PetscBool  *complete;
-  Mat         A;
+  PetscInt     num, *fill;
+  PetscMPIInt *owner;
+  SumBlock    *sent, *blocks;
+  Exchange     exchange;
+
+  PetscFunctionBeginUser;
+  PetscCall(CellSumsListBlocks_Private(level, global, sums, &num, &sent, &owner));
+  PetscCall(ExchangeCreate(level->comm, num, owner, &exchange));
+  received->num = exchange.num;
+  PetscCall(PetscMalloc1(exchange.num, &blocks));
+  PetscCall(ExchangeSend(&exchange, sizeof(SumBlock), sent, blocks));
+  PetscCall(ExchangeDestroy(&exchange));
+  PetscCall(PetscFree(sent));
+  PetscCall(PetscFree(owner));
+  PetscCall(PetscMalloc1(received->num, &received->block));
+  PetscCall(PetscCalloc1(level->num_owned + 2, &fill)); // one place ahead, until all are sorted
+  for (PetscInt k = 0; k < received->num; k++) fill[blocks[k].row - level->node_begin + 2]++;
+  for (PetscInt i = 0; i < level->num_owned; i++) fill[i + 2] += fill[i + 1];
+  for (PetscInt k = 0; k < received->num; k++)
+    received->block[fill[blocks[k].row - level->node_begin + 1]++] = blocks[k];
+  received->start = fill;
+  PetscCall(PetscFree(blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What makes up the rows of this rank. */
+typedef struct {
+  const Level     *level;
+  const PetscInt  *global; /* numbers of nodes [sums->num] */
+  SymmetricBlocks *sums;
+  ReceivedBlocks   received;
+  PetscBool       *kept; /* rows that no other rank adds to, without nodes of other ranks [own nodes] */
+} RankSums;
+
+static PetscErrorCode RankSumsFindKept_Private(RankSums *rank)
+{
+  const SymmetricBlocks *sums = rank->sums;
+  const PetscInt         n = rank->level->num_owned, *start = rank->received.start;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(n, &rank->kept));
+  for (PetscInt i = 0; i < n; i++) // columns ascend, and nodes of other ranks are last
+    rank->kept[i] = (PetscBool)(start[i] == start[i + 1] && sums->column[sums->start[i + 1] - 1] < n);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* All columns of a row, global numbers, ascending. [out] list - room for them [num] */
+static PetscErrorCode RankSumsListColumns_Private(const RankSums *rank, PetscInt i, PetscInt *num, PetscInt list[])
+{
+  const SymmetricBlocks *sums     = rank->sums;
+  const ReceivedBlocks  *received = &rank->received;
+
+  PetscFunctionBeginUser;
+  *num = 0;
+  for (PetscInt at = sums->start[i]; at < sums->start[i + 1]; at++) list[(*num)++] = rank->global[sums->column[at]];
+  for (PetscInt k = received->start[i]; k < received->start[i + 1]; k++) list[(*num)++] = received->block[k].column;
+  PetscCall(PetscSortRemoveDupsInt(num, list));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The columns of all rows: own ones, counted from the first, and those of other ranks, by global numbers.
+   [out] start, column - owned by the caller; [out] others - without nodes and values */
+static PetscErrorCode RankSumsSetPattern_Private(const RankSums *rank, PetscInt **start, PetscInt **column,
+                                                 GhostBlocks *others)
+{
+  const SymmetricBlocks *sums = rank->sums;
+  const PetscInt         n = rank->level->num_owned, begin = rank->level->node_begin,
+                 room = sums->start[n] + rank->received.num;
+  PetscInt *list, size;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(n + 1, start));
+  PetscCall(PetscMalloc1(n + 1, &others->start));
+  PetscCall(PetscMalloc1(room, column)); // untouched pages take no memory
+  PetscCall(PetscMalloc1(room, &others->column));
+  PetscCall(PetscMalloc1(room, &list));
+  (*start)[0] = others->start[0] = 0;
+  for (PetscInt i = 0; i < n; i++) {
+    (*start)[i + 1]      = (*start)[i];
+    others->start[i + 1] = others->start[i];
+    if (rank->kept[i]) {
+      size = sums->start[i + 1] - sums->start[i];
+      PetscCall(PetscArraycpy(&(*column)[(*start)[i]], &sums->column[sums->start[i]], size));
+      (*start)[i + 1] += size;
+      continue;
+    }
+    PetscCall(RankSumsListColumns_Private(rank, i, &size, list));
+    for (PetscInt k = 0; k < size; k++) {
+      if (list[k] >= begin && list[k] < begin + n)
+        (*column)[(*start)[i + 1]++] = list[k] - begin;
+      else
+        others->column[others->start[i + 1]++] = list[k];
+    }
+  }
+  PetscCall(PetscFree(list));
+  PetscCall(PetscRealloc((size_t)(*start)[n] * sizeof(PetscInt), column));
+  PetscCall(PetscRealloc((size_t)others->start[n] * sizeof(PetscInt), &others->column));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds a block to row i, but not left of the diagonal. */
+static PetscErrorCode RankSumsAddBlock_Private(const Level *level, PetscInt i, PetscInt column,
+                                               const PetscScalar value[], SymmetricBlocks *own, GhostBlocks *others)
+{
+  const PetscInt square = own->bs * own->bs, j = column - level->node_begin;
+  PetscScalar   *sum = NULL;
+  PetscInt       at;
+
+  PetscFunctionBeginUser;
+  if (j < 0 || j >= level->num_owned) {
+    PetscCall(PetscFindInt(column, others->start[i + 1] - others->start[i], &others->column[others->start[i]], &at));
+    sum = &others->value[(size_t)(others->start[i] + at) * (size_t)square];
+  } else if (j >= i) {
+    sum = SymmetricBlocksAt(own, i, j);
+  }
+  for (PetscInt kl = 0; kl < square && sum; kl++) sum[kl] += value[kl];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The values of the rows that are not kept. */
+static PetscErrorCode RankSumsSetValues_Private(const RankSums *rank, SymmetricBlocks *own, GhostBlocks *others)
+{
+  const PetscInt         square   = own->bs * own->bs;
+  const SymmetricBlocks *sums     = rank->sums;
+  const ReceivedBlocks  *received = &rank->received;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1((size_t)others->start[own->num] * (size_t)square, &others->value));
+  for (PetscInt i = 0; i < own->num; i++) {
+    const PetscScalar *V = &sums->value[(size_t)sums->first[i] * (size_t)square];
+
+    if (rank->kept[i]) continue;
+    for (PetscInt at = sums->diagonal[i]; at < sums->start[i + 1]; at++, V += square)
+      PetscCall(RankSumsAddBlock_Private(rank->level, i, rank->global[sums->column[at]], V, own, others));
+    for (PetscInt k = received->start[i]; k < received->start[i + 1]; k++)
+      PetscCall(
+          RankSumsAddBlock_Private(rank->level, i, received->block[k].column, received->block[k].value, own, others));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Lists the nodes of other ranks: from now on columns are places in this list. */
+static PetscErrorCode RankSumsNumberGhosts_Private(PetscInt num_rows, GhostBlocks *others)
+{
+  const PetscInt num = others->start[num_rows];
+
+  PetscFunctionBeginUser;
+  others->num = num;
+  PetscCall(PetscMalloc1(num, &others->node));
+  PetscCall(PetscArraycpy(others->node, others->column, num));
+  PetscCall(PetscSortRemoveDupsInt(&others->num, others->node));
+  for (PetscInt k = 0; k < num; k++)
+    PetscCall(PetscFindInt(others->column[k], others->num, others->node, &others->column[k]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode CellSumsFinish(const Level *level, const PetscInt global[], SymmetricBlocks *sums, Mat *K)
+{
+  PetscMPIInt     size;
+  PetscInt       *start, *column;
+  RankSums        rank = {.level = level, .global = global, .sums = sums};
+  SymmetricBlocks own;
+  GhostBlocks     others = {.num = 0};
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(level->comm, &size));
   if (size == 1) { // nodes of this rank are all there are, in their order
-    PetscCall(StiffnessCreate(level->comm, sums, K));
+    PetscCall(StiffnessCreate(level->comm, sums, NULL, K));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(PetscMalloc1(level->num_owned, &complete));
-  PetscCall(CellSumsFindComplete_Private(level, sums, complete));
-  PetscCall(CellSumsGather_Private(level, sums, complete, &A));
-  PetscCall(StiffnessCreateOfRows(A, sums, complete, K));
-  PetscCall(PetscFree(complete));
+  PetscCall(CellSumsExchange_Private(level, global, sums, &rank.received));
+  PetscCall(RankSumsFindKept_Private(&rank));
+  PetscCall(RankSumsSetPattern_Private(&rank, &start, &column, &others));
+  PetscCall(SymmetricBlocksCreateWithin(level->num_owned, start, column, rank.kept, sums, &own));
+  PetscCall(RankSumsSetValues_Private(&rank, &own, &others));
+  PetscCall(PetscFree(rank.received.start));
+  PetscCall(PetscFree(rank.received.block));
+  PetscCall(PetscFree(rank.kept));
+  sums->value = NULL; // now of own
   PetscCall(SymmetricBlocksDestroy(sums));
-  PetscCall(MatDestroy(&A));
+  PetscCall(RankSumsNumberGhosts_Private(level->num_owned, &others));
+  PetscCall(StiffnessCreate(level->comm, &own, &others, K));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -10,7 +10,9 @@
 PetscErrorCode CellSumsCreate(const Level *level, SymmetricBlocks *sums);
 /* Adds the matrix of a cell to the sums. Not collective. [in] Ke - [dim * num_nodes][dim * num_nodes] */
 void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], SymmetricBlocks *sums);
-/* The sums over all ranks. Collective. [out] K - StiffnessCreate(), owned by the caller */
-PetscErrorCode CellSumsFinish(Level *level, SymmetricBlocks *sums, Mat *K);
+/* The sums over all ranks. Collective.
+   [in] global - numbers of the nodes of sums: those of the level, and more ghosts [sums->num];
+   [out] K - StiffnessCreate(), owned by the caller */
+PetscErrorCode CellSumsFinish(const Level *level, const PetscInt global[], SymmetricBlocks *sums, Mat *K);
 
 #endif

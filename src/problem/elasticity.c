@@ -365,7 +365,7 @@ static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level,
     PetscCall(ElasticityAddCell_Private(scene, level, c, &rules[level->cell_type[c]], &laws[level->cell_material[c]],
                                         work, &sums));
   }
-  PetscCall(CellSumsFinish(level, &sums, K));
+  PetscCall(CellSumsFinish(level, level->node_global, &sums, K));
   PetscCall(CongruentCellsDestroy(&work->known));
   PetscCall(PetscFree(rules));
   PetscCall(PetscFree(laws));

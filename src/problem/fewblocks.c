@@ -10,7 +10,10 @@ typedef struct {
   PetscInt       *node; /* with entries, ascending [blocks.num] */
   SymmetricBlocks blocks;
   float          *single;
-  PetscScalar    *x, *y; /* at these nodes [blocks.num][bs] */
+  PetscScalar    *x, *y;  /* at these nodes [blocks.num][bs] */
+  Mat             others; /* rows of this rank, columns of others; NULL on one process, as all below */
+  Vec             ghosts, own;
+  VecScatter      scatter;
 } FewBlocks;
 
 static PetscErrorCode MultAdd_FewBlocks(Mat S, Vec x, Vec y, Vec z)
@@ -23,6 +26,7 @@ static PetscErrorCode MultAdd_FewBlocks(Mat S, Vec x, Vec y, Vec z)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &few));
   bs = few->blocks.bs;
+  if (few->others) PetscCall(VecScatterBegin(few->scatter, x, few->ghosts, INSERT_VALUES, SCATTER_FORWARD));
   if (y != z) PetscCall(VecCopy(y, z));
   PetscCall(VecGetArrayRead(x, &xa));
   for (PetscInt i = 0; i < few->blocks.num; i++)
@@ -33,6 +37,12 @@ static PetscErrorCode MultAdd_FewBlocks(Mat S, Vec x, Vec y, Vec z)
   for (PetscInt i = 0; i < few->blocks.num; i++)
     for (PetscInt k = 0; k < bs; k++) za[few->node[i] * bs + k] += few->y[i * bs + k];
   PetscCall(VecRestoreArray(z, &za));
+  if (few->others) {
+    PetscCall(VecScatterEnd(few->scatter, x, few->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(VecGetLocalVector(z, few->own));
+    PetscCall(MatMultAdd(few->others, few->ghosts, few->own, few->own));
+    PetscCall(VecRestoreLocalVector(z, few->own));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -46,6 +56,10 @@ static PetscErrorCode Destroy_FewBlocks(Mat S)
   PetscCall(SymmetricBlocksDestroy(&few->blocks));
   PetscCall(PetscFree(few->single));
   PetscCall(PetscFree2(few->x, few->y));
+  PetscCall(MatDestroy(&few->others));
+  PetscCall(VecDestroy(&few->ghosts));
+  PetscCall(VecDestroy(&few->own));
+  PetscCall(VecScatterDestroy(&few->scatter));
   PetscCall(PetscFree(few));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -122,26 +136,45 @@ static PetscErrorCode FewBlocksSetRows_Private(const Rows *rows, PetscInt bs, Fe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FewBlocksCreate(Mat Z, PetscInt bs, Mat *S)
+/* [in] others - columns of other ranks; [in] ghost - their numbers in Z */
+static PetscErrorCode FewBlocksSetGhosts_Private(Mat Z, Mat others, const PetscInt ghost[], FewBlocks *few)
 {
-  Rows       rows;
-  FewBlocks *few;
-  PetscBool  alone, done;
+  PetscInt num;
+  IS       from;
+  Vec      x;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscObjectTypeCompare((PetscObject)Z, MATSEQAIJ, &alone));
-  if (!alone) {
-    PetscCall(PetscObjectReference((PetscObject)Z));
-    *S = Z;
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
+  PetscCall(PetscObjectReference((PetscObject)others));
+  few->others = others;
+  PetscCall(MatCreateVecs(others, &few->ghosts, &few->own));
+  PetscCall(MatCreateVecs(Z, &x, NULL));
+  PetscCall(VecGetSize(few->ghosts, &num));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, ghost, PETSC_COPY_VALUES, &from));
+  PetscCall(VecScatterCreate(x, from, few->ghosts, NULL, &few->scatter));
+  PetscCall(ISDestroy(&from));
+  PetscCall(VecDestroy(&x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FewBlocksCreate(Mat Z, PetscInt bs, Mat *S)
+{
+  Rows            rows;
+  FewBlocks      *few;
+  PetscBool       alone, done;
+  Mat             own = Z, others;
+  const PetscInt *ghost;
+
+  PetscFunctionBeginUser;
   PetscCall(PetscNew(&few));
-  PetscCall(MatGetRowIJ(Z, 0, PETSC_FALSE, PETSC_FALSE, &rows.n, &rows.start, &rows.column, &done));
-  PetscCall(MatSeqAIJGetArrayRead(Z, &rows.value));
+  PetscCall(PetscObjectTypeCompare((PetscObject)Z, MATSEQAIJ, &alone));
+  if (!alone) PetscCall(MatMPIAIJGetSeqAIJ(Z, &own, &others, &ghost));
+  PetscCall(MatGetRowIJ(own, 0, PETSC_FALSE, PETSC_FALSE, &rows.n, &rows.start, &rows.column, &done));
+  PetscCall(MatSeqAIJGetArrayRead(own, &rows.value));
   PetscCall(FewBlocksSetRows_Private(&rows, bs, few));
-  PetscCall(MatSeqAIJRestoreArrayRead(Z, &rows.value));
-  PetscCall(MatCreateShell(PETSC_COMM_SELF, rows.n, rows.n, rows.n, rows.n, few, S));
-  PetscCall(MatRestoreRowIJ(Z, 0, PETSC_FALSE, PETSC_FALSE, &rows.n, &rows.start, &rows.column, &done));
+  PetscCall(MatSeqAIJRestoreArrayRead(own, &rows.value));
+  PetscCall(MatCreateShell(PetscObjectComm((PetscObject)Z), rows.n, rows.n, PETSC_DETERMINE, PETSC_DETERMINE, few, S));
+  PetscCall(MatRestoreRowIJ(own, 0, PETSC_FALSE, PETSC_FALSE, &rows.n, &rows.start, &rows.column, &done));
+  if (!alone) PetscCall(FewBlocksSetGhosts_Private(Z, others, ghost, few));
   PetscCall(MatShellSetOperation(*S, MATOP_MULT_ADD, (void (*)(void))MultAdd_FewBlocks));
   PetscCall(MatShellSetOperation(*S, MATOP_DESTROY, (void (*)(void))Destroy_FewBlocks));
   PetscFunctionReturn(PETSC_SUCCESS);

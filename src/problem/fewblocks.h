@@ -5,8 +5,8 @@
 #include <petscmat.h>
 
 /* For a preconditioner. Collective.
-   [in] Z - AIJ, symmetric; [in] bs - unknowns of a node; [out] S - a shell that knows MatMultAdd(), or on
-   several ranks Z itself; owned by the caller */
+   [in] Z - AIJ, symmetric; [in] bs - unknowns of a node; [out] S - a shell that knows MatMultAdd();
+   references parts of Z, owned by the caller */
 PetscErrorCode FewBlocksCreate(Mat Z, PetscInt bs, Mat *S);
 
 #endif

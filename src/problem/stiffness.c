@@ -327,7 +327,32 @@ static PetscErrorCode StiffnessCreateShell_Private(MPI_Comm comm, Stiffness *s, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K)
+/* Creates the scatter of the ghosts. [in,out] others - taken over */
+static PetscErrorCode StiffnessSetGhosts_Private(MPI_Comm comm, GhostBlocks *others, Stiffness *s)
+{
+  const PetscInt n = s->bs * s->own.num;
+  IS             from;
+  Vec            x;
+
+  PetscFunctionBeginUser;
+  s->start  = others->start;
+  s->column = others->column;
+  s->value  = others->value;
+  PetscCall(VecCreateMPIWithArray(comm, s->bs, n, PETSC_DETERMINE, NULL, &x));
+  PetscCall(ISCreateBlock(PETSC_COMM_SELF, s->bs, others->num, others->node, PETSC_COPY_VALUES, &from));
+  s->num_ghosts = s->bs * others->num;
+  PetscCall(PetscMalloc1(s->num_ghosts, &s->ghost));
+  for (PetscInt i = 0; i < s->num_ghosts; i++) s->ghost[i] = s->bs * others->node[i / s->bs] + i % s->bs;
+  PetscCall(PetscFree(others->node));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, s->num_ghosts, &s->ghosts));
+  PetscCall(VecScatterCreate(x, from, s->ghosts, NULL, &s->scatter));
+  PetscCall(ISDestroy(&from));
+  PetscCall(VecDestroy(&x));
+  *others = (GhostBlocks){.num = 0};
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, GhostBlocks *others, Mat *K)
 {
   Stiffness *s;
 
@@ -336,25 +361,14 @@ PetscErrorCode StiffnessCreate(MPI_Comm comm, SymmetricBlocks *blocks, Mat *K)
   s->bs   = blocks->bs;
   s->own  = *blocks;
   *blocks = (SymmetricBlocks){.bs = 0};
+  if (others) PetscCall(StiffnessSetGhosts_Private(comm, others, s));
   PetscCall(StiffnessCreateShell_Private(comm, s, K));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows of StiffnessCreateOfRows(). */
-typedef struct {
-  const SymmetricBlocks *sums;
-  const PetscBool       *complete; /* NULL for none */
-} OwnRows;
-
-static PetscBool OwnRowsHave_Private(const OwnRows *rows, PetscInt i)
-{
-  return (PetscBool)(rows->complete && rows->complete[i]);
-}
-
-/* Which blocks a matrix and complete rows have.
+/* Which blocks a matrix has.
    [out] start, column - by block rows; owned by the caller [num+1], [start[num]] */
-static PetscErrorCode StiffnessListBlocks_Private(Mat A, const OwnRows *rows, PetscInt bs, PetscInt num,
-                                                  PetscInt **start, PetscInt **column)
+static PetscErrorCode StiffnessListBlocks_Private(Mat A, PetscInt bs, PetscInt num, PetscInt **start, PetscInt **column)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num + 1, start));
@@ -365,12 +379,6 @@ static PetscErrorCode StiffnessListBlocks_Private(Mat A, const OwnRows *rows, Pe
       const PetscInt *columns;
       PetscInt        size;
 
-      if (OwnRowsHave_Private(rows, i)) {
-        size            = rows->sums->start[i + 1] - rows->sums->start[i];
-        (*start)[i + 1] = (*start)[i] + size;
-        if (pass) PetscCall(PetscArraycpy(&(*column)[(*start)[i]], &rows->sums->column[rows->sums->start[i]], size));
-        continue;
-      }
       PetscCall(MatGetRow(A, bs * i, &size, &columns, NULL));
       (*start)[i + 1] = (*start)[i] + size / bs;
       for (PetscInt j = 0; j < size && pass; j += bs) (*column)[(*start)[i] + j / bs] = columns[j] / bs;
@@ -380,23 +388,16 @@ static PetscErrorCode StiffnessListBlocks_Private(Mat A, const OwnRows *rows, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Copies values of the blocks of each row from one of them on; complete rows from sums.
+/* Copies values of the blocks of each row from one of them on.
    [in] diagonal - the first block of each row; NULL for all [num] */
-static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, const OwnRows *rows, PetscInt bs, PetscInt num,
-                                                  const PetscInt start[], const PetscInt diagonal[],
-                                                  PetscScalar value[])
+static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, PetscInt bs, PetscInt num, const PetscInt start[],
+                                                  const PetscInt diagonal[], PetscScalar value[])
 {
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt skip = diagonal ? bs * (diagonal[i] - start[i]) : 0;
     PetscInt       size = 0;
 
-    if (OwnRowsHave_Private(rows, i)) {
-      size = (start[i + 1] - diagonal[i]) * bs * bs;
-      PetscCall(PetscArraycpy(value, &rows->sums->value[(size_t)rows->sums->first[i] * (size_t)(bs * bs)], size));
-      value += size;
-      continue;
-    }
     for (PetscInt k = 0; k < bs; k++) {
       const PetscScalar *values;
 
@@ -409,58 +410,41 @@ static PetscErrorCode StiffnessCopyBlocks_Private(Mat A, const OwnRows *rows, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Creates the scatter of the ghosts: unknowns of other ranks that this rank's rows couple to.
-   [in] ghost - their global numbers, ascending */
-static PetscErrorCode StiffnessSetGhosts_Private(Mat A, Mat others, const PetscInt ghost[], Stiffness *s)
+/* Blocks among ghosts. [in] ghost - global numbers of their unknowns, the columns of A */
+static PetscErrorCode StiffnessCopyGhosts_Private(Mat A, PetscInt bs, PetscInt num, const PetscInt ghost[],
+                                                  GhostBlocks *others)
 {
-  const OwnRows none = {NULL, NULL};
-  IS            from;
-  Vec           x;
-
   PetscFunctionBeginUser;
-  PetscCall(StiffnessListBlocks_Private(others, &none, s->bs, s->own.num, &s->start, &s->column));
-  PetscCall(PetscMalloc1((size_t)s->start[s->own.num] * s->bs * s->bs, &s->value));
-  PetscCall(StiffnessCopyBlocks_Private(others, &none, s->bs, s->own.num, s->start, NULL, s->value));
-  PetscCall(MatCreateVecs(A, &x, NULL));
-  PetscCall(MatCreateVecs(others, &s->ghosts, NULL));
-  PetscCall(VecGetSize(s->ghosts, &s->num_ghosts));
-  PetscCall(PetscMalloc1(s->num_ghosts, &s->ghost));
-  PetscCall(PetscArraycpy(s->ghost, ghost, s->num_ghosts));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, s->num_ghosts, s->ghost, PETSC_USE_POINTER, &from));
-  PetscCall(VecScatterCreate(x, from, s->ghosts, NULL, &s->scatter));
-  PetscCall(ISDestroy(&from));
-  PetscCall(VecDestroy(&x));
+  PetscCall(StiffnessListBlocks_Private(A, bs, num, &others->start, &others->column));
+  PetscCall(PetscMalloc1((size_t)others->start[num] * (size_t)(bs * bs), &others->value));
+  PetscCall(StiffnessCopyBlocks_Private(A, bs, num, others->start, NULL, others->value));
+  PetscCall(MatGetSize(A, NULL, &others->num));
+  others->num /= bs;
+  PetscCall(PetscMalloc1(others->num, &others->node));
+  for (PetscInt i = 0; i < others->num; i++) others->node[i] = ghost[bs * i] / bs;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K)
 {
-  PetscFunctionBeginUser;
-  PetscCall(StiffnessCreateOfRows(A, NULL, NULL, K));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode StiffnessCreateOfRows(Mat A, const SymmetricBlocks *sums, const PetscBool complete[], Mat *K)
-{
-  const OwnRows   rows = {sums, complete};
-  Stiffness      *s;
-  Mat             own = A, others;
+  GhostBlocks     others;
+  SymmetricBlocks blocks;
+  Mat             own = A, far;
   PetscBool       sequential;
   const PetscInt *ghost;
-  PetscInt        n, *start, *column;
+  PetscInt        n, bs, *start, *column;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscNew(&s));
-  PetscCall(MatGetBlockSize(A, &s->bs));
+  PetscCall(MatGetBlockSize(A, &bs));
   PetscCall(MatGetLocalSize(A, &n, NULL));
-  n /= s->bs;
+  n /= bs;
   PetscCall(PetscObjectTypeCompare((PetscObject)A, MATSEQAIJ, &sequential));
-  if (!sequential) PetscCall(MatMPIAIJGetSeqAIJ(A, &own, &others, &ghost));
-  PetscCall(StiffnessListBlocks_Private(own, &rows, s->bs, n, &start, &column));
-  PetscCall(SymmetricBlocksCreate(s->bs, n, start, column, &s->own));
-  PetscCall(StiffnessCopyBlocks_Private(own, &rows, s->bs, n, start, s->own.diagonal, s->own.value));
-  if (!sequential) PetscCall(StiffnessSetGhosts_Private(A, others, ghost, s));
-  PetscCall(StiffnessCreateShell_Private(PetscObjectComm((PetscObject)A), s, K));
+  if (!sequential) PetscCall(MatMPIAIJGetSeqAIJ(A, &own, &far, &ghost));
+  PetscCall(StiffnessListBlocks_Private(own, bs, n, &start, &column));
+  PetscCall(SymmetricBlocksCreate(bs, n, start, column, &blocks));
+  PetscCall(StiffnessCopyBlocks_Private(own, bs, n, start, blocks.diagonal, blocks.value));
+  if (!sequential) PetscCall(StiffnessCopyGhosts_Private(far, bs, n, ghost, &others));
+  PetscCall(StiffnessCreate(PetscObjectComm((PetscObject)A), &blocks, sequential ? NULL : &others, K));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -495,12 +479,13 @@ PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode StiffnessGetBlocks(Mat K, const SymmetricBlocks **blocks)
+PetscErrorCode StiffnessGetBlocks(Mat K, const SymmetricBlocks **blocks, GhostBlocks *others)
 {
   Stiffness *s;
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(K, &s));
-  *blocks = s->start ? NULL : &s->own;
+  *blocks = &s->own;
+  *others = (GhostBlocks){.num = s->num_ghosts / s->bs, .start = s->start, .column = s->column, .value = s->value};
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -40,6 +40,7 @@ PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[]
     blocks->first[i]    = blocks->num_values;
     blocks->num_values += start[i + 1] - at;
   }
+  blocks->num_ordered = blocks->num_values;
   PetscCall(PetscCalloc1((size_t)blocks->num_values * bs * bs + PADDING, &blocks->value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -70,33 +71,68 @@ static size_t SymmetricBlocksHash_Private(PetscInt size, PetscInt block, const P
   return hash % NUM_SLOTS;
 }
 
+/* Finds a row with the same numbers, or moves those of row i to the front. [in,out] slot - the last row of a
+   hash, or -1 [NUM_SLOTS]; [in,out] stored - blocks at the front */
+static void SymmetricBlocksShareRow_Private(SymmetricBlocks *blocks, PetscInt i, PetscInt slot[], PetscInt *stored)
+{
+  const PetscInt     block = blocks->bs * blocks->bs, size = blocks->start[i + 1] - blocks->diagonal[i];
+  const PetscScalar *value = &blocks->value[(size_t)blocks->first[i] * (size_t)block];
+  const size_t       bytes = (size_t)(size * block) * sizeof(PetscScalar);
+  PetscInt          *like  = &slot[SymmetricBlocksHash_Private(size, block, value)];
+
+  if (*like >= 0 && blocks->start[*like + 1] - blocks->diagonal[*like] == size &&
+      !memcmp(&blocks->value[(size_t)blocks->first[*like] * (size_t)block], value, bytes)) {
+    blocks->first[i] = blocks->first[*like];
+    return;
+  }
+  if (*stored < blocks->first[i]) memmove(&blocks->value[(size_t)*stored * (size_t)block], value, bytes);
+  blocks->first[i] = *stored;
+  *stored += size;
+  *like = i;
+}
+
 PetscErrorCode SymmetricBlocksShare(SymmetricBlocks *blocks)
 {
-  const PetscInt block  = blocks->bs * blocks->bs;
-  PetscInt       stored = 0, *slot; /* the last row of a hash, or -1 [NUM_SLOTS] */
+  const PetscInt ordered = blocks->num_ordered;
+  PetscInt       stored  = 0, *slot;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(NUM_SLOTS, &slot));
   for (PetscInt k = 0; k < NUM_SLOTS; k++) slot[k] = -1;
-  for (PetscInt i = 0; i < blocks->num; i++) {
-    const PetscInt     size  = blocks->start[i + 1] - blocks->diagonal[i];
-    const PetscScalar *value = &blocks->value[(size_t)blocks->first[i] * (size_t)block];
-    const size_t       bytes = (size_t)(size * block) * sizeof(PetscScalar);
-    PetscInt          *like  = &slot[SymmetricBlocksHash_Private(size, block, value)];
-
-    if (*like >= 0 && blocks->start[*like + 1] - blocks->diagonal[*like] == size &&
-        !memcmp(&blocks->value[(size_t)blocks->first[*like] * (size_t)block], value, bytes)) {
-      blocks->first[i] = blocks->first[*like];
-      continue;
-    }
-    if (stored < blocks->first[i]) memmove(&blocks->value[(size_t)stored * (size_t)block], value, bytes);
-    blocks->first[i] = stored;
-    stored += size;
-    *like = i;
-  }
+  for (PetscInt i = 0; i < blocks->num; i++)
+    if (blocks->first[i] < ordered) SymmetricBlocksShareRow_Private(blocks, i, slot, &stored);
+  for (PetscInt i = 0; i < blocks->num; i++)
+    if (blocks->first[i] >= ordered) SymmetricBlocksShareRow_Private(blocks, i, slot, &stored);
   PetscCall(PetscFree(slot));
-  blocks->num_values = stored;
-  PetscCall(PetscRealloc(((size_t)stored * (size_t)block + PADDING) * sizeof(PetscScalar), &blocks->value));
+  blocks->num_values  = stored;
+  blocks->num_ordered = stored;
+  PetscCall(PetscRealloc(((size_t)stored * (size_t)(blocks->bs * blocks->bs) + PADDING) * sizeof(PetscScalar),
+                         &blocks->value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SymmetricBlocksCreateWithin(PetscInt num, PetscInt start[], PetscInt column[], const PetscBool kept[],
+                                           SymmetricBlocks *from, SymmetricBlocks *blocks)
+{
+  const size_t square = (size_t)(from->bs * from->bs);
+  PetscInt     more = 0, room = num < from->num ? from->first[num] : from->num_values;
+
+  PetscFunctionBeginUser;
+  *blocks = (SymmetricBlocks){.bs = from->bs, .num = num, .start = start, .column = column, .num_ordered = room};
+  PetscCall(PetscMalloc1(num, &blocks->diagonal));
+  PetscCall(PetscMalloc1(num, &blocks->first));
+  for (PetscInt i = 0; i < num; i++) {
+    PetscInt at = start[i];
+
+    while (column[at] < i) at++;
+    blocks->diagonal[i] = at;
+    blocks->first[i]    = kept[i] ? from->first[i] : room + more;
+    if (!kept[i]) more += start[i + 1] - at;
+  }
+  blocks->num_values = room + more;
+  PetscCall(PetscRealloc(((size_t)blocks->num_values * square + PADDING) * sizeof(PetscScalar), &from->value));
+  PetscCall(PetscArrayzero(&from->value[(size_t)room * square], (size_t)more * square + PADDING));
+  blocks->value = from->value;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

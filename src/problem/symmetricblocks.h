@@ -13,6 +13,7 @@ typedef struct {
   PetscInt    *diagonal;       /* index into column of the diagonal block [num] */
   PetscInt    *first;          /* index into value of the diagonal block; the blocks right of it follow [num] */
   PetscInt     num_values;     /* blocks that are stored */
+  PetscInt     num_ordered;    /* of these, in the order of the rows; later ones belong to rows that have grown */
   PetscScalar *value;          /* [num_values][bs][bs] */
 } SymmetricBlocks;
 
@@ -22,6 +23,12 @@ typedef struct {
    [out] blocks - owned by the caller, SymmetricBlocksDestroy() */
 PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[], PetscInt column[],
                                      SymmetricBlocks *blocks);
+/* Takes the first rows of other blocks, without copies of their numbers. Not collective.
+   [in] start, column - as above, for `num` rows; [in] kept - rows that have the blocks they had; the others
+   are zeros [num]; [in,out] from - these rows keep their numbers, which blocks owns: set from->value to NULL
+   before it is destroyed; [out] blocks - owned by the caller */
+PetscErrorCode SymmetricBlocksCreateWithin(PetscInt num, PetscInt start[], PetscInt column[], const PetscBool kept[],
+                                           SymmetricBlocks *from, SymmetricBlocks *blocks);
 /* Not collective. */
 PetscErrorCode SymmetricBlocksDestroy(SymmetricBlocks *blocks);
 /* Stores equal rows of numbers once: from now on they are not to be changed. Not collective. */

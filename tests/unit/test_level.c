@@ -134,45 +134,6 @@ static void TestProlongation(PetscInt nx)
   TestSceneFree(&t);
 }
 
-/* Every entry between nodes of a cell fits, and none is left over. */
-static void TestMat(PetscInt nx, PetscInt refine)
-{
-  TestScene t;
-  Mesh      mesh  = MakeMesh(&t, nx, refine, NULL);
-  Level    *level = MeshFinest(mesh);
-  Mat       A;
-  MatInfo   info;
-  PetscReal sum;
-  Vec       ones, row;
-
-  CHECK(!LevelCreateMat(level, 2, &A));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
-    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]],
-                   num    = level->cell_start[c + 1] - level->cell_start[c];
-    PetscInt    global[ELEMENT_MAX_NODES];
-    PetscScalar values[4 * ELEMENT_MAX_NODES * ELEMENT_MAX_NODES];
-
-    for (PetscInt i = 0; i < num; ++i) global[i] = level->node_global[nodes[i]];
-    for (PetscInt i = 0; i < 4 * num * num; ++i) values[i] = 1;
-    CHECK(!MatSetValuesBlocked(A, num, global, num, global, values, ADD_VALUES));
-  }
-  CHECK(!MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-  CHECK(!MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
-  CHECK(!MatGetInfo(A, MAT_GLOBAL_SUM, &info));
-  CHECK(info.mallocs == 0);
-  CHECK(info.nz_unneeded == 0);
-  CHECK(!MatCreateVecs(A, &ones, &row));
-  CHECK(!VecSet(ones, 1));
-  CHECK(!MatMult(A, ones, row));
-  CHECK(!VecSum(row, &sum));
-  CHECK_NEAR(sum, nx * (1 << 2 * refine) * ((Order[0] > 1 ? 18 * 18 : 64) + 2 * (Order[1] > 1 ? 144 : 36)), 0);
-  CHECK(!VecDestroy(&ones));
-  CHECK(!VecDestroy(&row));
-  CHECK(!MatDestroy(&A));
-  CHECK(!MeshDestroy(&mesh));
-  TestSceneFree(&t);
-}
-
 static void TestLocate(void)
 {
   static const PetscReal point[][2]  = {{0.3, 0.7},  {0, 0},  {1, 1},       {0.5, 0},    {0.25, 0.5},
@@ -227,8 +188,6 @@ int main(int argc, char **argv)
     TestTables(1, 1);
     TestProlongation(1);
     TestProlongation(3);
-    TestMat(1, 0);
-    TestMat(4, 2);
     TestLocate();
   }
   TestLocateCurve(1);

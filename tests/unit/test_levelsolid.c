@@ -81,35 +81,6 @@ static void TestEmbedding(PetscInt n)
   TestSceneFree(&high);
 }
 
-/* Every entry between nodes of a cell fits, and none is left over. */
-static void TestMat(PetscInt n, PetscInt refine)
-{
-  TestScene t;
-  Mesh      mesh  = MakeMesh(&t, n, refine);
-  Level    *level = MeshFinest(mesh);
-  Mat       A;
-  MatInfo   info;
-
-  CHECK(!LevelCreateMat(level, 3, &A));
-  for (PetscInt c = 0; c < level->num_cells; ++c) {
-    const PetscInt    *nodes = &level->cell_nodes[level->cell_start[c]];
-    const PetscInt     num   = level->cell_start[c + 1] - level->cell_start[c];
-    PetscInt           global[ELEMENT_MAX_NODES];
-    static PetscScalar values[9 * ELEMENT_MAX_NODES * ELEMENT_MAX_NODES];
-
-    for (PetscInt i = 0; i < num; ++i) global[i] = level->node_global[nodes[i]];
-    CHECK(!MatSetValuesBlocked(A, num, global, num, global, values, ADD_VALUES));
-  }
-  CHECK(!MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-  CHECK(!MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
-  CHECK(!MatGetInfo(A, MAT_GLOBAL_SUM, &info));
-  CHECK(info.mallocs == 0);
-  CHECK(info.nz_unneeded == 0);
-  CHECK(!MatDestroy(&A));
-  CHECK(!MeshDestroy(&mesh));
-  TestSceneFree(&t);
-}
-
 static void TestLocate(void)
 {
   static const PetscReal point[][3]  = {{0.3, 0.7, 0.1},   {0, 0, 0},        {1, 1, 1},           {0.5, 0.25, 0},
@@ -172,8 +143,6 @@ int main(int argc, char **argv)
     for (int b = 0; b < 2; ++b) Order[b] = orders[o][b];
     TestProlongation(1);
     TestProlongation(3);
-    TestMat(1, 0);
-    TestMat(2, 1);
     TestLocate();
   }
   TestEmbedding(2);
