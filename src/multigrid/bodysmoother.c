@@ -27,13 +27,17 @@
 static const PetscReal MAX_COMPLIANCE_WORK = 4e4;
 
 typedef struct {
-  Mat            inverse;    /* T^-1 */
-  Mat            E;          /* T^-1 - 1, without empty rows */
-  Vec            w;          /* D^-1, 0 where `eliminated`; without blocks */
-  Mat            blocks;     /* S_u, or NULL */
-  EnvelopeParts *parts;      /* its factors, borrowed */
-  Vec            s, t;       /* displacements, forces */
-  PetscBool     *eliminated; /* fixed displacements [unknowns of this rank] */
+  Mat            inverse; /* T^-1 */
+  Mat            E;       /* T^-1 - 1, without empty rows */
+  Vec            w;       /* D^-1, 0 where `eliminated`; without blocks */
+  Mat            blocks;  /* S_u, or NULL */
+  Mat            whole;   /* on several ranks whole blocks of this one; NULL on one process, as the next four */
+  IS             rows;    /* of S_u */
+  VecScatter     deal;    /* from all rows to these */
+  Vec            force_there, there; /* t and s in these rows */
+  EnvelopeParts *parts;              /* factors of S_u, borrowed */
+  Vec            s, t;               /* displacements, forces */
+  PetscBool     *eliminated;         /* fixed displacements [unknowns of this rank] */
   PetscInt       num;
   PetscInt      *fixed;  /* [num] */
   Mat            X;      /* NULL if all fixed unknowns are displacements */
@@ -64,6 +68,11 @@ static PetscErrorCode Destroy_BodySmoother(Mat S)
   PetscCall(MatDestroy(&body->inverse));
   PetscCall(MatDestroy(&body->E));
   PetscCall(MatDestroy(&body->blocks));
+  PetscCall(MatDestroy(&body->whole));
+  PetscCall(ISDestroy(&body->rows));
+  PetscCall(VecScatterDestroy(&body->deal));
+  PetscCall(VecDestroy(&body->force_there));
+  PetscCall(VecDestroy(&body->there));
   PetscCall(VecDestroy(&body->w));
   PetscCall(VecDestroy(&body->s));
   PetscCall(VecDestroy(&body->t));
@@ -75,6 +84,7 @@ static PetscErrorCode Destroy_BodySmoother(Mat S)
 /* s = D^-1 t. [in] again - whether t has changed by forces along X alone */
 static PetscErrorCode BodySmootherSolve_Private(BodySmoother *body, PetscBool again)
 {
+  const Vec          from = body->deal ? body->force_there : body->t, to = body->deal ? body->there : body->s;
   const PetscScalar *t;
   PetscScalar       *s;
 
@@ -83,14 +93,18 @@ static PetscErrorCode BodySmootherSolve_Private(BodySmoother *body, PetscBool ag
     PetscCall(VecPointwiseMult(body->s, body->w, body->t));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(VecGetArrayRead(body->t, &t));
-  PetscCall(VecGetArray(body->s, &s));
+  if (body->deal) PetscCall(VecScatterBegin(body->deal, body->t, from, INSERT_VALUES, SCATTER_FORWARD));
+  if (body->deal) PetscCall(VecScatterEnd(body->deal, body->t, from, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(from, &t));
+  PetscCall(VecGetArray(to, &s));
   if (again)
     EnvelopePartsSolveSome(body->parts, body->num_touched, body->touched, t, s);
   else
     EnvelopePartsSolve(body->parts, t, s);
-  PetscCall(VecRestoreArray(body->s, &s));
-  PetscCall(VecRestoreArrayRead(body->t, &t));
+  PetscCall(VecRestoreArray(to, &s));
+  PetscCall(VecRestoreArrayRead(from, &t));
+  if (body->deal) PetscCall(VecScatterBegin(body->deal, to, body->s, INSERT_VALUES, SCATTER_REVERSE));
+  if (body->deal) PetscCall(VecScatterEnd(body->deal, to, body->s, INSERT_VALUES, SCATTER_REVERSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -206,10 +220,39 @@ PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Factors of the blocks without the displacements that are eliminated. */
-static PetscErrorCode BodySmootherSetBlocks_Private(const Operator *op, Mat blocks, BodySmoother *body)
+/* Whole blocks of this rank. [out] eliminated - in their rows; owned by the caller */
+static PetscErrorCode BodySmootherDeal_Private(BodySmoother *body, PetscBool **eliminated)
 {
-  PetscInt begin, num = 0, *rows;
+  PetscInt           n, num;
+  PetscScalar       *mark;
+  const PetscScalar *marks;
+
+  PetscFunctionBeginUser;
+  PetscCall(EnvelopeFactorDeal(body->blocks, &body->rows, &body->whole));
+  PetscCall(MatCreateVecs(body->whole, &body->there, &body->force_there));
+  PetscCall(VecScatterCreate(body->s, body->rows, body->there, NULL, &body->deal));
+  PetscCall(VecGetLocalSize(body->s, &n));
+  PetscCall(VecGetArrayWrite(body->s, &mark));
+  for (PetscInt i = 0; i < n; i++) mark[i] = body->eliminated[i] ? 1 : 0;
+  PetscCall(VecRestoreArrayWrite(body->s, &mark));
+  PetscCall(VecScatterBegin(body->deal, body->s, body->there, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(body->deal, body->s, body->there, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetLocalSize(body->there, &num));
+  PetscCall(PetscMalloc1(num, eliminated));
+  PetscCall(VecGetArrayRead(body->there, &marks));
+  for (PetscInt i = 0; i < num; i++) (*eliminated)[i] = (PetscBool)(marks[i] != 0);
+  PetscCall(VecRestoreArrayRead(body->there, &marks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Factors of the blocks without the displacements that are eliminated. [out] done - whether all ranks have
+   them */
+static PetscErrorCode BodySmootherSetBlocks_Private(const Operator *op, Mat blocks, BodySmoother *body, PetscBool *done)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)blocks);
+  PetscMPIInt    size;
+  PetscBool     *eliminated = body->eliminated;
+  PetscInt       begin, num = 0, *rows;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectReference((PetscObject)blocks));
@@ -220,9 +263,14 @@ static PetscErrorCode BodySmootherSetBlocks_Private(const Operator *op, Mat bloc
     if (body->eliminated[op->fixed[i]]) rows[num++] = begin + op->fixed[i];
   PetscCall(MatZeroRowsColumns(blocks, num, rows, 1, NULL, NULL));
   PetscCall(PetscFree(rows));
-  PetscCall(EnvelopeFactorGet(blocks, &body->parts));
+  PetscCallMPI(MPI_Comm_size(comm, &size));
+  if (size > 1) PetscCall(BodySmootherDeal_Private(body, &eliminated));
+  PetscCall(EnvelopeFactorGet(size > 1 ? body->whole : blocks, &body->parts));
   for (PetscInt i = 0; body->parts && i < body->parts->num_alone; i++)
-    if (body->eliminated[body->parts->alone[i]]) body->parts->inverse[i] = 0;
+    if (eliminated[body->parts->alone[i]]) body->parts->inverse[i] = 0;
+  if (size > 1) PetscCall(PetscFree(eliminated));
+  *done = (PetscBool)(body->parts != NULL);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, done, 1, MPIU_BOOL, MPI_LAND, comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -233,8 +281,7 @@ PetscErrorCode BodySmootherCreateOfBlocks(const Operator *op, Mat blocks, Mat *i
 
   PetscFunctionBeginUser;
   PetscCall(BodySmootherBegin_Private(op, &body, inverse));
-  PetscCall(BodySmootherSetBlocks_Private(op, blocks, body));
-  done = (PetscBool)(body->parts != NULL);
+  PetscCall(BodySmootherSetBlocks_Private(op, blocks, body, &done));
   if (done) PetscCall(BodySmootherSetFixed(*inverse, op->num_fixed, op->fixed, &done));
   if (!done) PetscCall(MatDestroy(inverse));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -279,17 +326,37 @@ static PetscErrorCode BodySmootherCreateG_Private(Mat X, Vec w, Mat *G)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* G_hh and its factorization. */
-static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body, PetscBool *done)
+/* The part of the rows h of T^-1 that blocks of this rank have, X' in their rows; G_hh from it. */
+static PetscErrorCode BodySmootherCreateCompliance_Private(BodySmoother *body, Mat *G)
 {
-  PetscInt n;
-  Mat      G;
+  PetscInt n, N;
+  Mat      transpose, *matrices = NULL;
+  IS       all;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetSize(body->s, &n));
+  PetscCall(MatTranspose(body->X, MAT_INITIAL_MATRIX, &transpose));
+  if (body->deal) {
+    PetscCall(MatGetSize(transpose, NULL, &N));
+    PetscCall(ISCreateStride(PETSC_COMM_SELF, N, 0, 1, &all));
+    PetscCall(MatCreateSubMatrices(transpose, 1, &body->rows, &all, MAT_INITIAL_MATRIX, &matrices));
+    PetscCall(ISDestroy(&all));
+  }
+  PetscCall(EnvelopeComplianceCreate(body->parts, body->X, matrices ? matrices[0] : transpose, MAX_COMPLIANCE_WORK * n,
+                                     &body->num_touched, &body->touched, G));
+  if (matrices) PetscCall(MatDestroySubMatrices(1, &matrices));
+  PetscCall(MatDestroy(&transpose));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* G_hh and its factorization. */
+static PetscErrorCode BodySmootherFactor_Private(BodySmoother *body, PetscBool *done)
+{
+  Mat G;
+
+  PetscFunctionBeginUser;
   if (body->parts)
-    PetscCall(EnvelopeComplianceCreate(body->parts, body->X, MAX_COMPLIANCE_WORK * n, &body->num_touched,
-                                       &body->touched, &G));
+    PetscCall(BodySmootherCreateCompliance_Private(body, &G));
   else
     PetscCall(BodySmootherCreateG_Private(body->X, body->w, &G));
   *done = (PetscBool)(G != NULL);

@@ -9,7 +9,7 @@
 PetscErrorCode BodySmootherCreate(const Operator *op, Mat *inverse);
 /* The same with D = S_u, blocks of couplings. Collective.
    [in,out] blocks - keeps its factors (envelopefactor.h), without fixed displacements; referenced; [out]
-   inverse - NULL where others cost less, or ranks may cut blocks */
+   inverse - NULL where others cost less */
 PetscErrorCode BodySmootherCreateOfBlocks(const Operator *op, Mat blocks, Mat *inverse);
 /* Its blocks, or NULL. Not collective. [out] blocks - borrowed */
 PetscErrorCode BodySmootherGetBlocks(Mat inverse, Mat *blocks);

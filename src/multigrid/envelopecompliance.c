@@ -8,7 +8,7 @@
 
 typedef struct {
   const EnvelopeParts *parts;
-  Mat                  columns;   /* X' */
+  Mat                  columns;   /* X' in rows of A */
   PetscInt            *mark;      /* of combinations: number in the block [rows of X] */
   PetscInt             num, *row; /* combinations with entries in some rows of A [num] */
   PetscReal           *sum;       /* [rows of X] */
@@ -128,26 +128,27 @@ static PetscErrorCode ComplianceFill_Private(Compliance *c, PetscInt num, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EnvelopeComplianceCreate(const EnvelopeParts *parts, Mat X, PetscReal limit, PetscInt *num,
+PetscErrorCode EnvelopeComplianceCreate(const EnvelopeParts *parts, Mat X, Mat columns, PetscReal limit, PetscInt *num,
                                         PetscInt **touched, Mat *G)
 {
-  PetscInt   rows;
+  PetscInt   rows, own;
   PetscReal  work = 0;
-  Compliance c    = {.parts = parts};
+  Compliance c    = {.parts = parts, .columns = columns};
 
   PetscFunctionBeginUser;
   *num = 0;
   *G   = NULL;
   PetscCall(MatGetSize(X, &rows, NULL));
-  PetscCall(MatTranspose(X, MAT_INITIAL_MATRIX, &c.columns));
+  PetscCall(MatGetLocalSize(X, &own, NULL));
   PetscCall(PetscMalloc3(rows, &c.mark, rows, &c.row, rows, &c.sum));
   for (PetscInt k = 0; k < rows; k++) c.mark[k] = -1;
   PetscCall(PetscMalloc1(parts->num, touched));
   PetscCall(ComplianceMeasure_Private(&c, num, *touched, &work));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)X)));
   if (work <= limit) {
     PetscCall(ComplianceFill_Private(&c, *num, *touched));
     PetscCall(MatCreate(PetscObjectComm((PetscObject)X), G));
-    PetscCall(MatSetSizes(*G, rows, rows, rows, rows));
+    PetscCall(MatSetSizes(*G, own, own, rows, rows));
     PetscCall(MatSetType(*G, MATAIJ));
     PetscCall(MatSetPreallocationCOO(*G, c.entries, c.i, c.j));
     PetscCall(MatSetValuesCOO(*G, c.v, INSERT_VALUES));
@@ -155,6 +156,5 @@ PetscErrorCode EnvelopeComplianceCreate(const EnvelopeParts *parts, Mat X, Petsc
     PetscCall(PetscFree3(c.i, c.j, c.v));
   }
   PetscCall(PetscFree3(c.mark, c.row, c.sum));
-  PetscCall(MatDestroy(&c.columns));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,11 +6,13 @@
 #include <petscmat.h>
 #include "multigrid/envelopeparts.h"
 
-/* G = X A^-1 X'. Not collective.
-   [in] parts - of A, without edges; [in] X - AIJ of one process; [in] limit - of the number of products;
+/* G = X A^-1 X'. Collective.
+   [in] parts - of rows of A on this rank, without edges; [in] X - AIJ; [in] columns - X' in these rows, with
+   all columns, AIJ of one process; [in] limit - of the number of products of all ranks;
    [out] num, touched - blocks in which X has entries; owned by the caller [num];
-   [out] G - SPD if the rows of X are independent; owned by the caller; NULL if the limit is exceeded */
-PetscErrorCode EnvelopeComplianceCreate(const EnvelopeParts *parts, Mat X, PetscReal limit, PetscInt *num,
+   [out] G - distributed like X, SPD if the rows of X are independent; owned by the caller; NULL if the
+   limit is exceeded */
+PetscErrorCode EnvelopeComplianceCreate(const EnvelopeParts *parts, Mat X, Mat columns, PetscReal limit, PetscInt *num,
                                         PetscInt **touched, Mat *G);
 
 #endif

@@ -4,6 +4,7 @@
    reference to it, since PETSc gives their PC nothing but them. */
 #include "base/compat.h"
 #include "multigrid/envelopefactor.h"
+#include "multigrid/graphcomponents.h"
 
 /* Root mean square of the widths of rows up to which an envelope costs less than a sparse factor. */
 static const PetscReal MAX_WIDTH = 400;
@@ -194,14 +195,11 @@ PetscErrorCode EnvelopeFactorSetPC(PC pc, Mat S, PetscBool *done)
 
 PetscErrorCode EnvelopeFactorKeep(Mat S, PetscInt bs, const PetscReal label[])
 {
-  PetscBool      own;
   PetscInt       n;
   Kept          *kept;
   PetscContainer container;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscObjectTypeCompare((PetscObject)S, MATSEQAIJ, &own));
-  if (!own) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatGetLocalSize(S, &n, NULL));
   PetscCall(PetscNew(&kept));
   kept->bs = bs;
@@ -222,6 +220,80 @@ PetscErrorCode EnvelopeFactorKeepLike(Mat S, Mat other)
   PetscFunctionBeginUser;
   PetscCall(KeptGet_Private(other, &kept));
   if (kept) PetscCall(EnvelopeFactorKeep(S, kept->bs, kept->label));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeFactorKeepRows(Mat S, IS rows, Mat own)
+{
+  PetscInt           n, num;
+  PetscScalar       *label;
+  const PetscScalar *labels;
+  Kept              *kept;
+  Mat                base = NULL;
+  Vec                all, some;
+  VecScatter         scatter;
+
+  PetscFunctionBeginUser;
+  PetscCall(KeptGet_Private(S, &kept));
+  if (!kept) PetscCall(PetscObjectQuery((PetscObject)S, BASE, (PetscObject *)&base));
+  if (!kept) PetscCall(KeptGet_Private(base, &kept));
+  if (!kept) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(S, NULL, &all));
+  PetscCall(VecGetLocalSize(all, &n));
+  PetscCall(VecGetArrayWrite(all, &label));
+  for (PetscInt i = 0; i < n; i++) label[i] = kept->label[i / kept->bs];
+  PetscCall(VecRestoreArrayWrite(all, &label));
+  PetscCall(ISGetLocalSize(rows, &num));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &some));
+  PetscCall(VecScatterCreate(all, rows, some, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(some, &labels));
+  PetscCall(EnvelopeFactorKeep(own, 1, labels));
+  PetscCall(VecRestoreArrayRead(some, &labels));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(VecDestroy(&some));
+  PetscCall(VecDestroy(&all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The rows of some blocks of rows. */
+static PetscErrorCode EnvelopeFactorListRows_Private(IS blocks, PetscInt bs, IS *rows)
+{
+  PetscInt        num, *list;
+  const PetscInt *block;
+
+  PetscFunctionBeginUser;
+  PetscCall(ISGetLocalSize(blocks, &num));
+  PetscCall(ISGetIndices(blocks, &block));
+  PetscCall(PetscMalloc1(num * bs, &list));
+  for (PetscInt i = 0; i < num * bs; i++) list[i] = bs * block[i / bs] + i % bs;
+  PetscCall(ISRestoreIndices(blocks, &block));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num * bs, list, PETSC_OWN_POINTER, rows));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeFactorDeal(Mat S, IS *rows, Mat *own)
+{
+  PetscInt n;
+  Kept    *kept;
+  Vec      one; /* value for each label */
+  Mat     *matrices;
+  IS       blocks;
+
+  PetscFunctionBeginUser;
+  PetscCall(KeptGet_Private(S, &kept));
+  PetscCall(MatGetLocalSize(S, &n, NULL));
+  PetscCall(VecCreateMPI(PetscObjectComm((PetscObject)S), n / kept->bs, PETSC_DETERMINE, &one));
+  PetscCall(GraphComponentsDeal(one, kept->label, &blocks));
+  PetscCall(EnvelopeFactorListRows_Private(blocks, kept->bs, rows));
+  PetscCall(MatCreateSubMatrices(S, 1, rows, rows, MAT_INITIAL_MATRIX, &matrices));
+  *own = matrices[0];
+  PetscCall(PetscObjectReference((PetscObject)*own));
+  PetscCall(MatDestroySubMatrices(1, &matrices));
+  PetscCall(EnvelopeFactorKeepRows(S, *rows, *own));
+  PetscCall(ISDestroy(&blocks));
+  PetscCall(VecDestroy(&one));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

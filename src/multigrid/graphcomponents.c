@@ -88,72 +88,139 @@ PetscErrorCode GraphComponentsLabel(Mat A, PetscReal label[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The rank that owns most rows of each component, the first one if several do. [in] label - [n]; [out] rank -
-   [n] */
-static PetscErrorCode GraphComponentsElect_Private(Mat A, PetscInt n, const PetscReal label[], PetscInt rank[])
+/* Rows that each rank has of the components with a label of this rank.
+   [in] label - distinct ones of a rank, with their numbers of rows [num]; [out] shares - AIJ, labels by
+   ranks */
+static PetscErrorCode GraphComponentsShare_Private(Vec own, PetscInt num, PetscInt label[], const PetscScalar count[],
+                                                   Mat *shares)
 {
-  const MPI_Comm     comm = PetscObjectComm((PetscObject)A);
-  PetscMPIInt        size, me;
-  PetscInt           num, *distinct, *count, at;
-  PetscScalar       *vote;
-  const PetscScalar *result;
-  Vec                ballot, votes; /* by label: number of rows, combined with the rank in the lower digits */
-  IS                 which;
-  VecScatter         scatter;
+  const MPI_Comm comm = PetscObjectComm((PetscObject)own);
+  PetscMPIInt    size, me;
+  PetscInt       n, *rank, *row;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_size(comm, &size));
   PetscCallMPI(MPI_Comm_rank(comm, &me));
-  PetscCall(PetscMalloc2(n, &distinct, n, &count));
+  PetscCall(VecGetLocalSize(own, &n));
+  PetscCall(PetscMalloc2(num, &rank, num, &row));
+  for (PetscInt i = 0; i < num; i++) rank[i] = me;
+  PetscCall(PetscArraycpy(row, label, num)); // PETSc may change it
+  PetscCall(MatCreate(comm, shares));
+  PetscCall(MatSetSizes(*shares, n, PETSC_DECIDE, PETSC_DETERMINE, size));
+  PetscCall(MatSetType(*shares, MATAIJ));
+  PetscCall(MatSetPreallocationCOO(*shares, num, row, rank));
+  PetscCall(MatSetValuesCOO(*shares, count, INSERT_VALUES));
+  PetscCall(PetscFree2(rank, row));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The rank of each label. Rows that a rank has of a component are added to what is due to it; the
+   component goes to the one of its ranks to which most is due. [out] winner - 0 where a row is no label */
+static PetscErrorCode GraphComponentsElect_Private(Mat shares, Vec winner)
+{
+  PetscMPIInt  size;
+  PetscInt     begin, end;
+  PetscReal   *due; /* [size] */
+  PetscScalar *w;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)shares), &size));
+  PetscCall(PetscCalloc1(size, &due));
+  PetscCall(MatGetOwnershipRange(shares, &begin, &end));
+  PetscCall(VecGetArrayWrite(winner, &w));
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt           num, most = 0;
+    PetscReal          rows = 0;
+    const PetscInt    *rank;
+    const PetscScalar *count;
+
+    PetscCall(MatGetRow(shares, row, &num, &rank, &count));
+    for (PetscInt k = 0; k < num; k++) {
+      due[rank[k]] += PetscRealPart(count[k]);
+      rows += PetscRealPart(count[k]);
+      if (due[rank[k]] > due[rank[most]]) most = k;
+    }
+    if (num) due[rank[most]] -= rows;
+    w[row - begin] = num ? rank[most] : 0;
+    PetscCall(MatRestoreRow(shares, row, &num, &rank, &count));
+  }
+  PetscCall(VecRestoreArrayWrite(winner, &w));
+  PetscCall(PetscFree(due));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The rank of each row. [in] label - [n]; [out] rank - [n] */
+static PetscErrorCode GraphComponentsAssign_Private(Vec own, PetscInt n, const PetscReal label[], PetscInt rank[])
+{
+  PetscInt           num = n, *distinct, at;
+  PetscScalar       *count;
+  const PetscScalar *result;
+  Mat                shares;
+  Vec                winner, mine;
+  IS                 which;
+  VecScatter         scatter;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(n, &distinct));
+  PetscCall(PetscCalloc1(n, &count));
   for (PetscInt i = 0; i < n; i++) distinct[i] = (PetscInt)label[i];
-  num = n;
   PetscCall(PetscSortRemoveDupsInt(&num, distinct));
-  PetscCall(PetscArrayzero(count, num));
   for (PetscInt i = 0; i < n; i++) {
     PetscCall(PetscFindInt((PetscInt)label[i], num, distinct, &at));
-    count[at]++;
+    rank[i] = at;
+    count[at] += 1;
   }
-  PetscCall(MatCreateVecs(A, NULL, &ballot));
-  PetscCall(VecZeroEntries(ballot));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &votes));
-  PetscCall(VecGetArrayWrite(votes, &vote));
-  for (PetscInt i = 0; i < num; i++) vote[i] = (PetscScalar)count[i] * size + (size - 1 - me);
-  PetscCall(VecRestoreArrayWrite(votes, &vote));
+  PetscCall(GraphComponentsShare_Private(own, num, distinct, count, &shares));
+  PetscCall(VecDuplicate(own, &winner));
+  PetscCall(GraphComponentsElect_Private(shares, winner));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &mine));
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, distinct, PETSC_USE_POINTER, &which));
-  PetscCall(VecScatterCreate(ballot, which, votes, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, votes, ballot, MAX_VALUES, SCATTER_REVERSE));
-  PetscCall(VecScatterEnd(scatter, votes, ballot, MAX_VALUES, SCATTER_REVERSE));
-  PetscCall(VecScatterBegin(scatter, ballot, votes, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, ballot, votes, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGetArrayRead(votes, &result));
-  for (PetscInt i = 0; i < n; i++) {
-    PetscCall(PetscFindInt((PetscInt)label[i], num, distinct, &at));
-    rank[i] = size - 1 - (PetscInt)PetscRealPart(result[at]) % size;
-  }
-  PetscCall(VecRestoreArrayRead(votes, &result));
+  PetscCall(VecScatterCreate(winner, which, mine, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, winner, mine, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, winner, mine, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(mine, &result));
+  for (PetscInt i = 0; i < n; i++) rank[i] = (PetscInt)PetscRealPart(result[rank[i]]);
+  PetscCall(VecRestoreArrayRead(mine, &result));
   PetscCall(VecScatterDestroy(&scatter));
   PetscCall(ISDestroy(&which));
-  PetscCall(VecDestroy(&votes));
-  PetscCall(VecDestroy(&ballot));
-  PetscCall(PetscFree2(distinct, count));
+  PetscCall(VecDestroy(&mine));
+  PetscCall(VecDestroy(&winner));
+  PetscCall(MatDestroy(&shares));
+  PetscCall(PetscFree(distinct));
+  PetscCall(PetscFree(count));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode GraphComponentsDeal(Vec own, const PetscReal label[], IS *rows)
+{
+  PetscInt n, *rank;
+  IS       to;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetLocalSize(own, &n));
+  PetscCall(PetscMalloc1(n, &rank));
+  PetscCall(GraphComponentsAssign_Private(own, n, label, rank));
+  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)own), n, rank, PETSC_COPY_VALUES, &to));
+  PetscCall(ISBuildTwoSided(to, NULL, rows));
+  PetscCall(ISSort(*rows));
+  PetscCall(ISDestroy(&to));
+  PetscCall(PetscFree(rank));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode GraphComponentsGather(Mat A, IS *rows)
 {
-  PetscInt   n, *rank;
+  PetscInt   n;
   PetscReal *label;
-  IS         to;
+  Vec        own;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetLocalSize(A, &n, NULL));
-  PetscCall(PetscMalloc2(n, &label, n, &rank));
+  PetscCall(PetscMalloc1(n, &label));
   PetscCall(GraphComponentsLabel(A, label));
-  PetscCall(GraphComponentsElect_Private(A, n, label, rank));
-  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)A), n, rank, PETSC_COPY_VALUES, &to));
-  PetscCall(ISBuildTwoSided(to, NULL, rows));
-  PetscCall(ISSort(*rows));
-  PetscCall(ISDestroy(&to));
-  PetscCall(PetscFree2(label, rank));
+  PetscCall(MatCreateVecs(A, NULL, &own));
+  PetscCall(GraphComponentsDeal(own, label, rows));
+  PetscCall(VecDestroy(&own));
+  PetscCall(PetscFree(label));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

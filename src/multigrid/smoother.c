@@ -302,7 +302,9 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor)
 /* One rank solves for each block that ranks cut. */
 static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
 {
-  IS rows;
+  KSP *own;
+  IS   rows;
+  Mat  few;
 
   PetscFunctionBeginUser;
   PetscCall(PCSetType(pc, PCASM));
@@ -310,6 +312,10 @@ static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
   PetscCall(PCASMSetOverlap(pc, 0));
   PetscCall(GraphComponentsGather(S, &rows));
   PetscCall(PCASMSetLocalSubdomains(pc, 1, &rows, &rows));
+  PetscCall(PCSetUp(pc));
+  PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
+  PetscCall(KSPGetOperators(own[0], NULL, &few));
+  PetscCall(EnvelopeFactorKeepRows(S, rows, few));
   PetscCall(ISDestroy(&rows));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -352,7 +358,6 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)S), &size));
   if (size > 1) {
     PetscCall(SmootherSetSubdomains_Private(pc, S));
-    PetscCall(PCSetUp(pc));
     PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
     PetscCall(KSPSetType(own[0], KSPPREONLY));
     PetscCall(KSPGetPC(own[0], &inner));

@@ -267,7 +267,7 @@ static Mat CreateBlocks(VI vi, PetscBool diagonal)
   CHECK(!MatAssemblyEnd(blocks, MAT_FINAL_ASSEMBLY));
   CHECK(!MatDestroy(&K));
   CHECK(!PetscMalloc1((end - begin) / dim, &label));
-  for (PetscInt i = 0; i < (end - begin) / dim; ++i) label[i] = (PetscReal)((begin / dim + i) / 3);
+  for (PetscInt i = 0; i < (end - begin) / dim; ++i) label[i] = (PetscReal)((begin / dim + i) / 3 * 3);
   CHECK(!EnvelopeFactorKeep(blocks, dim, label));
   CHECK(!PetscFree(label));
   return blocks;
@@ -333,8 +333,8 @@ static void TestApart(VI vi)
   CHECK(!MatDestroy(&D));
   D = CreateBlocks(vi, PETSC_FALSE);
   CHECK(!BodySmootherCreateOfBlocks(&op, D, &inverse));
-  CHECK((inverse != NULL) == (size == 1));
-  if (inverse) CompareApart(vi, D, inverse, ROUNDING_FACTOR);
+  CHECK(inverse != NULL);
+  CompareApart(vi, D, inverse, ROUNDING_FACTOR);
   CHECK(!MatDestroy(&inverse));
   CHECK(!MatDestroy(&D));
   CHECK(!OperatorDestroy(&op));
