@@ -1,6 +1,6 @@
 /* expression.c -- a comma list of numbers and formulas.
 
-   Formulas are compiled once by muParser [1] to its byte code; a formula without variables is evaluated at
+   Formulas are compiled once by muParser [1] to its byte code. A formula without variables is evaluated at
    once and is a plain number from then on.
 
    References: [1] muParser, a fast math parser library, https://beltoforion.de/en/muparser */

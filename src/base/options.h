@@ -4,8 +4,8 @@
    checked, broadcast and joined to one argument list, files first, so that the command line wins.
 
    Syntax of a file, PETSc's with two additions: lines of `-name value`, `#` begins a comment, a value with
-   spaces stands in double quotes; added are several options in one line and `#` inside quotes. PETSc takes a
-   value that begins with a minus and a letter for the next option; where this is recognized, it is a user
+   spaces stands in double quotes. Added are several options in one line and `#` inside quotes. PETSc takes a
+   value that begins with a minus and a letter for the next option. Where this is recognized, it is a user
    error here. */
 #ifndef MORTISE_OPTIONS_H
 #define MORTISE_OPTIONS_H
@@ -52,8 +52,8 @@ typedef struct {
   const char *value; /* "" for a bare option */
 } OptionGiven;
 
-/* The options in effect as the user gave them, on the command line or in files, sorted by name; of an option
-   given twice the last. Those that name options files are not among them. Not collective.
+/* The options in effect as the user gave them, on the command line or in files, sorted by name. Of an option
+   given twice it is the last. Those that name options files are not among them. Not collective.
    [out] given - array of shape [num], owned by the caller; its texts are borrowed */
 PetscErrorCode OptionsGetGiven(PetscInt *num, OptionGiven **given);
 

@@ -1,7 +1,7 @@
 /* usererror.c -- one sentence for a user's mistake, without other messages.
 
    PETSc reports an error by calling the topmost handler once where it arises (PETSC_ERROR_INITIAL) and once
-   more in each caller up to main() (PETSC_ERROR_REPEAT); the handler returns the code for the callers. So a
+   more in each caller up to main() (PETSC_ERROR_REPEAT). The handler returns the code for the callers. So a
    handler can both be silent and change one code into another: PETSc's errors about options become user
    errors. */
 #include "base/compat.h"

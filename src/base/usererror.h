@@ -24,8 +24,8 @@ typedef enum {
   MORTISE_FAILED        = 4  /* the program itself failed */
 } MortiseExit;
 
-/* Installs the error handler. It is silent for MORTISE_ERR_USER; it turns PETSc's own complaints about an
-   option's value (a word where a number belongs, an unknown type) into user errors; it prints one sentence
+/* Installs the error handler. It is silent for MORTISE_ERR_USER. It turns PETSc's own complaints about an
+   option's value (a word where a number belongs, an unknown type) into user errors. It prints one sentence
    when memory runs out or a file cannot be written. Other errors get PETSc's traceback. Not collective; call
    once, before PetscInitialize() to include its errors, or after. */
 PetscErrorCode UserErrorInitialize(void);
