@@ -43,8 +43,8 @@ typedef struct {
 } Bisection;
 
 /* Begins with a conforming mesh. The longest edge of a cell and of each facet is its refinement edge, by
-   length, then by the vertices' numbers; cells list it first, so their vertices are reordered.
-   Not collective.
+   length, then by the vertices' numbers. Cells list it first, so their vertices are reordered. Not
+   collective.
    [in] cells - [num_cells][dim+1]; facets - [num_cells][dim+1]; coords - where lengths are measured
    [num_vertices][dim] */
 PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],

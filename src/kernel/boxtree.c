@@ -1,7 +1,7 @@
 /* boxtree.c -- a balanced tree over boxes, halved at the median centre of the widest direction.
 
    The tree is implicit. The boxes are permuted so that every node is a range [begin, end), halved in the
-   middle; node k has its children at 2k + 1 and 2k + 2. Only the bounds of the nodes are stored. Halving by
+   middle. Node k has its children at 2k + 1 and 2k + 2. Only the bounds of the nodes are stored. Halving by
    count keeps the tree shallow whatever the grading of a mesh: a query takes O(log n) plus its hits.
 
    Reference:

@@ -12,7 +12,7 @@ PetscErrorCode BoxTreeCreate(PetscInt dim, PetscInt n, const PetscReal boxes[], 
 PetscErrorCode BoxTreeDestroy(BoxTree *tree);
 
 /* Bounds of the parts on one level of the tree: at most max (>= 1) boxes of about equally many boxes each,
-   which together hold all; none for an empty tree. Not collective.
+   which together hold all. An empty tree has none. Not collective.
    [out] cover - borrowed from the tree [num][2][dim] */
 PetscErrorCode BoxTreeGetCover(BoxTree tree, PetscInt max, PetscInt *num, const PetscReal *cover[]);
 

@@ -23,7 +23,7 @@ static const PetscInt INNER[4][3][3] = {{{-1, 1, 1}, {-1, 1, 0}, {0, 1, 0}},
                                         {{-1, 1, 1}, {0, 0, 1}, {-1, 0, 1}},
                                         {{-1, 1, 1}, {-1, 0, 1}, {-1, 1, 0}}};
 
-/* The inner octahedron is cut along the diagonal from the middle of edge 01 to that of edge 23; four
+/* The inner octahedron is cut along the diagonal from the middle of edge 01 to that of edge 23. Four
    tetrahedra stand around it, each between two neighbours among the middles of 02, 12, 13, 03. */
 static const Part TETRAHEDRON_PARTS[8] = {{{0, 0, 0}, UNIT},     {{1, 0, 0}, UNIT},     {{0, 1, 0}, UNIT},
                                           {{0, 0, 1}, UNIT},     {{1, 0, 0}, INNER[0]}, {{1, 0, 0}, INNER[1]},

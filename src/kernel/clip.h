@@ -1,13 +1,13 @@
 /* clip.h -- overlap of a nonmortar facet with mortar facets as quadrature points (eq. 4.4).
 
    2D: the nonmortar facet x(xi) = sum phi_i X_i, xi in [0,1], has the normal field n(xi) = sum phi_i N_i.
-   Shape functions are linear or quadratic. The ends of a mortar facet are projected along it; between them
+   Shape functions are linear or quadratic. The ends of a mortar facet are projected along it. Between them
    the rays x + t n/|n| meet the mortar facet, which may be curved itself, at eta with gap t. Rays that meet
    it from behind (t < 0) or after crossing each other count as well: orientation and distance are judged by
    the caller. All nodal normals lie within a right angle of the facet's own, so that n(xi) never vanishes.
 
    3D: both facets are projected onto the plane that is normal to the sum of the nonmortar facet's nodal
-   normals; there the polygons of their nodes are intersected. The gap is measured along this plane's
+   normals. There the polygons of their nodes are intersected. The gap is measured along this plane's
    normal. */
 #ifndef MORTISE_CLIP_H
 #define MORTISE_CLIP_H
@@ -42,9 +42,9 @@ typedef struct {
 } ClipFacet;
 
 /* Quadrature points of the overlap of two line facets, piece by piece along the nonmortar one, num_gauss on
-   each; returns their number, 0 where the facets do not overlap. The pieces over a chain of mortar facets
-   share their ends exactly. Pieces shorter than 1e-12 of the facet are skipped. Mortar ends run opposite
-   to the nonmortar ends on facing bodies; either order is accepted.
+   each. Returns their number, 0 where the facets do not overlap. The pieces over a chain of mortar facets
+   share their ends exactly. Pieces shorter than 1e-12 of the facet are skipped. Mortar ends run opposite to
+   the nonmortar ends on facing bodies; either order is accepted.
    [in] num_gauss - 1..CLIP_MAX_GAUSS; [out] points - [CLIP_MAX_POINTS] */
 PetscInt ClipLines(const ClipFacet *nonmortar, const ClipFacet *mortar, PetscInt num_gauss, ClipPoint points[]);
 

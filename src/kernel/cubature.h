@@ -1,7 +1,7 @@
 /* cubature.h -- integrals of functions with jumps and kinks over a reference cell.
 
    A function of several components is given by its values at points. A rule with points up to the vertices
-   tells whether it is smooth; where it is not, nested integrals along lines find its jumps and kinks by
+   tells whether it is smooth. Where it is not, nested integrals along lines find its jumps and kinks by
    bisection and are cut there. */
 #ifndef MORTISE_CUBATURE_H
 #define MORTISE_CUBATURE_H

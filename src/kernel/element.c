@@ -244,7 +244,7 @@ PetscReal ElementSurface(ElementType type, const PetscReal X[], const PetscReal 
 }
 
 /* Upper bound on sum_i |d phi_i / d xi_l| in the cell. Of functions that are linear on simplices it is
-   attained at a vertex; those of boxes are products of 8, of a line, and 5/4 in each other direction. */
+   attained at a vertex. Those of boxes are products of 8, of a line, and 5/4 in each other direction. */
 static PetscReal ElementSteepness_Private(const Reference *cell)
 {
   if (cell->order == 1) return 2.;

@@ -4,7 +4,7 @@
    vertices: line2 on [0,1]; tri3 (0,0),(1,0),(0,1); quad4 (0,0),(1,0),(1,1),(0,1) on [0,1]^2; tet4 the corner
    of the unit cube; hex8 the quad4 below (z = 0), then above (z = 1). 2D cells run anticlockwise; so do the
    facets of 3D cells seen from outside. Cells of second order have, behind their vertices, a node in the
-   middle of each edge, in the order of the edges; hex27 then has one in the middle of each facet; and line3,
+   middle of each edge, in the order of the edges. hex27 then has one in the middle of each facet. line3,
    quad9 and hex27 have one in their own middle, which a line shares with its edge. Sides may be curved: the
    geometry is isoparametric. */
 #ifndef MORTISE_ELEMENT_H
@@ -48,9 +48,9 @@ const PetscReal *ElementNode(ElementType type, PetscInt node);
    (dy, -dx) along the facet. Not collective. Borrowed. */
 const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
 
-/* Edges: the facets of a plane cell, a line's only one. The cell's local numbers of an edge's two vertices;
-   the node in its middle, in cells of second order, is the edge's number behind the vertices.
-   Not collective. */
+/* Edges: the facets of a plane cell, a line's only one. The cell's local numbers of an edge's two vertices.
+   The node in its middle, in cells of second order, is the edge's number behind the vertices. Not
+   collective. */
 PetscInt        ElementNumEdges(ElementType type);
 const PetscInt *ElementEdgeNodes(ElementType type, PetscInt edge);
 

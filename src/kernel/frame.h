@@ -4,7 +4,7 @@
 
 #include <petscsys.h>
 
-/* Adds one facet's weighted normal to its nodes (Max 1999; in 2D nu / h): exact on circles for any spacing of
+/* Adds one facet's weighted normal to its nodes (Max 1999; in 2D nu / h). Exact on circles for any spacing of
    nodes, and on spheres for any ring of facets. Facets of second order count as the straight parts between
    their nodes. 2D: line2 or line3 with the outward normal (dy,-dx). 3D: tri3, quad4, tri6 or quad9,
    anticlockwise seen from outside. No edge has zero length.

@@ -28,7 +28,7 @@ static PetscInt MaterialNumDirectStrains_Private(PetscInt num_strains)
   return num_strains == STRAINS_PLANE ? 2 : 3;
 }
 
-/* sigma_ij = lambda eps_kk delta_ij + 2 mu eps_ij, and gamma = 2 eps for shear; plane stress has the same
+/* sigma_ij = lambda eps_kk delta_ij + 2 mu eps_ij, and gamma = 2 eps for shear. Plane stress has the same
    form with the lambda that makes sigma_zz vanish. */
 void MaterialIsotropic(ModelKind model, PetscReal young, PetscReal poisson, PetscReal C[])
 {

@@ -33,8 +33,8 @@ void MaterialAxialStrain(ModelKind model, const PetscReal axial[], const PetscRe
 void MaterialPickStrains(ModelKind model, const PetscReal all[6], PetscReal strain[]);
 
 /* sigma = C eps as six components xx,yy,zz,yz,xz,xy. zz in plane strain is nu (xx + yy) of an isotropic body
-   (poisson), 0 in plane stress; NAN where a plane Hooke tensor does not determine it (pass poisson = NAN).
-   Not collective. [in] strain - [num_strains] */
+   (poisson), 0 in plane stress. It is NAN where a plane Hooke tensor does not determine it (pass poisson =
+   NAN). Not collective. [in] strain - [num_strains] */
 void MaterialStress(ModelKind model, const PetscReal C[], PetscReal poisson, const PetscReal strain[],
                     PetscReal stress[6]);
 
@@ -53,7 +53,7 @@ PetscReal MaterialEnergyDensity(PetscInt num_strains, const PetscReal C[], const
 /* Principal stresses, the largest first; NAN, all three, where a component is not known. */
 void MaterialPrincipal(const PetscReal stress[6], PetscReal principal[3]);
 
-/* Modulus against flat indentation, E/(1-nu^2), but E in plane stress; of an anisotropic C that of the
+/* Modulus against flat indentation, E/(1-nu^2), but E in plane stress. Of an anisotropic C it is that of the
    softest axis, in space with one direction across it held. Used to choose roles and scales. */
 PetscReal MaterialContactModulus(PetscInt num_strains, const PetscReal C[]);
 

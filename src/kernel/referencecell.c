@@ -5,7 +5,7 @@
    formulas. */
 #include "kernel/referencecell.h"
 
-/* Facets follow each other anticlockwise around a plane cell, so that its inside is on their left; those of a
+/* Facets follow each other anticlockwise around a plane cell, so that its inside is on their left. Those of a
    cell in space run anticlockwise seen from outside. Degrees of the stiffness: tri3 and tet4 have constant
    strains. Products of two strains are of degree 2 in each direction for quad4 and hex8, and of degree 4 for
    quad9 and hex27. They are quadratic in tri6 and tet10. There curved sides need more: degree 3 integrates
