@@ -2,7 +2,7 @@
 
    The first rank refines, in integer arithmetic. Its new lists of cells become one DMPlex, which is
    partitioned anew: so every level is balanced, and sides that may meet share ranks. For the prolongation,
-   the first rank gathers the global nodes of all cells of both levels; it knows the parent of each cell, and
+   the first rank gathers the global nodes of all cells of both levels. It knows the parent of each cell, and
    the position of the cell in it. */
 #include "mesh/forest.h"
 #include "base/compat.h"

@@ -1,6 +1,6 @@
 /* bodylist.c -- storage of a body's lists, and the names of its sides.
 
-   A side that the user joins with '+' is a union of named sides; the mesh knows the parts only, so that a
+   A side that the user joins with '+' is a union of named sides. The mesh knows the parts only, so that a
    part that occurs in several unions is labelled once. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"

@@ -33,7 +33,7 @@ static const Side SIDES[][MAX_SIDES] = {
 
 /* [dim][simplex]. The tetrahedra have the edge from corner 0 to 6 in common and are right-handed. The first
    vertex of each determines the diagonal along which refinement cuts the inner octahedron. With this order
-   volume over the cube of the mean edge stays above 0.56 of that of a regular tetrahedron on all levels; with
+   volume over the cube of the mean edge stays above 0.56 of that of a regular tetrahedron on all levels. With
    others it falls to 0.36. */
 static const Split SPLITS[][2] = {
     [2] = {{ELEMENT_QUAD4, ELEMENT_QUAD4, 1, {{0, 1, 2, 3}}}, {ELEMENT_QUAD4, ELEMENT_TRI3, 2, {{0, 1, 2}, {0, 2, 3}}}},

@@ -135,8 +135,9 @@ PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* A matrix between node values as one for bs values at each node. Collective.
    [in] P - AIJ; [out] blocks - AIJ of block size bs, owned by the caller */
 PetscErrorCode LevelCreateBlocks(Mat P, PetscInt bs, Mat *blocks);
-/* Hanging nodes get the values of a continuous function; or the forces on them go to the ends of their edge:
-   the product with Level.conforming or its transpose. Without hanging nodes nothing happens. Collective.
+/* Hanging nodes get the values of a continuous function, or the forces on them go to the ends of their edge.
+   This is the product with Level.conforming or its transpose. Without hanging nodes nothing happens.
+   Collective.
    [in] bs - values at each node; [in,out] v - ghosted, owned values count */
 PetscErrorCode LevelConform(Level *level, PetscInt bs, Vec v);
 PetscErrorCode LevelConformForces(Level *level, PetscInt bs, Vec v);
@@ -147,7 +148,7 @@ PetscErrorCode LevelConformForces(Level *level, PetscInt bs, Vec v);
 PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E);
 
 /* Finds the cell of a body that contains a point, and the reference coordinates of the point in it. A point
-   between a straight facet and its curve by the body's map belongs to the cell of the facet; it is then
+   between a straight facet and its curve by the body's map belongs to the cell of the facet. It is then
    slightly outside the reference cell. Collective.
    [in] x - the same on all ranks [dim]
    [out] cell - local cell on the lowest rank that has one, -1 on all others

@@ -45,7 +45,7 @@ PetscErrorCode BodyListDestroy(BodyList *list);
 /* All sides of a body that the scene's boundaries and pairs name. */
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);
 
-/* Area or volume of a cell at X, negative where it is inside out; the same for a cell of a list, with nodes
+/* Area or volume of a cell at X, negative where it is inside out. The same for a cell of a list, with nodes
    up to an order. [in] X - [nodes][dim] */
 PetscReal CellGetMeasure(ElementType type, PetscInt dim, const PetscReal X[]);
 PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order);

@@ -10,10 +10,10 @@ typedef struct {
   PetscReal *height; /* mean distance of the curve outward of the facet [facets.num] */
 } Sagittas;
 
-/* Finds these facets: of the boundary of a body with a map; of the sides of pairs of a file of first order,
-   unless they are polygonal; of the boundary of a body of order 1 from a file of second order. Curves are
-   those of the map, or of the nodal normals (eq. 4.5). Distances from a cell of order 2 are those from its
-   own curve. Collective. [out] sagittas - owned by the caller */
+/* Finds these facets. They are those of the boundary of a body with a map, or of a body of order 1 from a
+   file of second order. Also those of the sides of pairs of a file of first order, unless they are
+   polygonal. Curves are those of the map, or of the nodal normals (eq. 4.5). Distances from a cell of order 2
+   are those from its own curve. Collective. [out] sagittas - owned by the caller */
 PetscErrorCode SagittasCreate(Level *level, Sagittas *sagittas);
 PetscErrorCode SagittasDestroy(Sagittas *sagittas);
 
