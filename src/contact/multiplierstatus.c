@@ -1,8 +1,8 @@
 /* multiplierstatus.c -- the nodes of the nonmortar sides that carry a multiplier.
 
    A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Nodes are removed if
-   they are hardly covered, so that their pressure would be inaccurate; if their normal direction is fixed; or
-   if another pair constrains them. */
+   they are hardly covered, so that their pressure would be inaccurate. They are also removed if their normal
+   direction is fixed, or if another pair constrains them. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"

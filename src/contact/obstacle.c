@@ -35,8 +35,8 @@ static PetscReal ObstacleRoundGap_Private(PetscReal radius, PetscReal a, PetscRe
   return c > 0 ? PETSC_INFINITY : -(b + root) / a;
 }
 
-/* |d + t n| = |radius| with the parts of d = x - point and of n across the axis; for a ball, whose axis is
-   zero, all of them. */
+/* |d + t n| = |radius| with the parts of d = x - point and of n across the axis. For a ball, whose axis is
+   zero, these are d and n themselves. */
 static PetscReal ObstacleAxisGap_Private(const SceneObstacle *round, PetscInt dim, const PetscReal x[],
                                          const PetscReal n[])
 {

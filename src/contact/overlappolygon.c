@@ -34,7 +34,7 @@ static PetscBool OverlapPolygonIsStraight_Private(const ClipFacet *facet)
 }
 
 /* Exact for products of two shape functions where the facets are parallelograms or triangles and the gap is
-   linear; somewhat more for gaps that are given. */
+   linear. The degree is somewhat higher for gaps that are given. */
 static PetscInt OverlapPolygonPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
                                              const ClipFacet *mortar, ClipPoint points[])
 {

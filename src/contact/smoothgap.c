@@ -3,7 +3,7 @@
    Facets of first order deviate from a curved side by an eighth of the square of their length over the
    radius. On most meshes that is as much as an interference fit, or the approach of two bodies. Nodes are on
    the curved side, and their normals determine its curve between them. In integrals, points stay on the
-   facets; only the gap is that of the curves, to first order: their distance from the facets along the ray is
+   facets. Only the gap is that of the curves, to first order: their distance from the facets along the ray is
    added. */
 #include "kernel/arc.h"
 #include "base/compat.h"
