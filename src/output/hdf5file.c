@@ -5,7 +5,7 @@
    used. Rows of a rank are one piece of a dataset, or one for each type of cell: collective buffering would
    gain nothing.
 
-   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name; attributes of the file:
+   /points [N][3], /cells (see xdmf.c), one dataset per quantity under its own name. Attributes of the file:
    title, names of bodies in the order of `body`, version, units, and a word on every dataset's order.
    Readable by h5py, MATLAB, h5dump without any library of ours.
 

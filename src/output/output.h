@@ -37,8 +37,8 @@ PetscErrorCode OutputAddText(Output output, const char path[], const char text[]
 /* Gives all files their names, the one that was added last after all others (fileset.h). If one cannot be
    written none appears, which is an error on all ranks. Collective; *output = NULL. */
 PetscErrorCode OutputFinish(Output *output);
-/* Prints the endings of the names of all files of fields, as in ", .h5, .xdmf, _joint.csv, .h5, .xdmf";
-   without those of pairs where there is no solution. Collective. */
+/* Prints the endings of the names of all files of fields, as in ", .h5, .xdmf, _joint.csv, .h5, .xdmf". Omits
+   those of pairs where there is no solution. Collective. */
 PetscErrorCode OutputPrintNames(Scene scene, PetscBool pairs);
 /* A single file of text. Collective. */
 PetscErrorCode OutputWriteText(MPI_Comm comm, const char path[], const char text[]);
