@@ -90,7 +90,7 @@ def sweep(scene: str | os.PathLike[str] | Mapping[str, Any], points: Iterable[Ma
     output: prefix of the files; run i has <output>_<i> from 1 on, with zeros before it. Without it there are no files
     workers: runs at a time, else the number of processors over the ranks; ranks, timeout, program: as of run()
 
-    Returns the rows in the order of the points. A run that is not solved is a row with its exit code and message, and ends nothing; a
+    Returns the rows in the order of the points. A run that is not solved is a row with its exit code and message, and ends nothing. A
     timeout is a row with status "failed". A path that a solved run does not have raises KeyError."""
     todo = [dict(point) for point in points]
     names = {name for point in todo for name in point}
