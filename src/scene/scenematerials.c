@@ -78,8 +78,8 @@ static PetscErrorCode DatumOfRegions_Private(const Reader *r, MaterialKey key, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Raises a user error if a datum is missing; for a body with regions only if there are cells in none of them,
-   which the mesh knows.
+/* Raises a user error if a datum is missing. For a body with regions it does so only if there are cells in
+   none of them, which the mesh knows.
    [out] found - whether it is there */
 static PetscErrorCode DatumRequire_Private(const Reader *r, const Datum *datum, const char why[], PetscBool *found)
 {

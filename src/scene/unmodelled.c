@@ -52,7 +52,7 @@ static const Unmodelled unmodelled[] = {
      "there is no such option; supports are -<body>_bc_displacement, and -<body>_bc_normal for planes of symmetry"},
 };
 
-/* Whether the words of a name, joined by underscores, begin or end with these words, or are these; a single
+/* Whether the words of a name, joined by underscores, begin or end with these words, or are these. A single
    letter is too short for parts of names. Words that end with an underscore only begin names. */
 static PetscBool UnmodelledHas_Private(const char name[], const char words[])
 {
