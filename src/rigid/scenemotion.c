@@ -6,7 +6,7 @@
 
 /* Components of a motion below this part of the largest are roundoff, and are omitted. */
 static const PetscReal MOTION_ROUNDING = 1e-8;
-/* A motion opens a contact, or slides, if it does so by more than this part of its size; sizes that differ
+/* A motion opens a contact, or slides, if it does so by more than this part of its size. Sizes that differ
    from 1 by less are not stated. */
 static const PetscReal MOTION_SMALL = 1e-6;
 
