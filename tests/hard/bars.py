@@ -1,4 +1,4 @@
-"""Two bars of bars.opts: springs in a row, M = E (1 - nu) / ((1 + nu) (1 - 2 nu)) and the height of each; what is beyond the gap presses."""
+"""Two bars of bars.opts: springs in a row, M = E (1 - nu) / ((1 + nu) (1 - 2 nu)) and the height of each. What is beyond the gap presses."""
 from judge import near, same
 
 ROUNDING = 1e-10  # relative, of a uniform state

@@ -1,6 +1,6 @@
-"""How the program starts MPI: no daemon for a process without a launcher, no setting of a user or a library overridden, no MPI for words.
+"""How the program starts MPI: no daemon for a process without a launcher, no setting of a user or library overridden, no MPI for words.
 
-OPAL_BINDIR leads Open MPI to a folder without its daemon; a message layer that does not exist ends MPI_Init(); hwloc tells what it asks for cards.
+OPAL_BINDIR leads Open MPI to a folder without its daemon. A message layer that does not exist ends MPI_Init(). hwloc tells what it asks for cards.
 """
 import argparse
 import os

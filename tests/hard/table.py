@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""table.py [<build folder>] -- the table of cases in README.md: checks that it lists all cases in the words of their files; or, given the
-folder of a build whose hard.* tests have run, writes it anew with their figures."""
+"""table.py [<build folder>] -- the table of cases in README.md: checks that it lists all cases in the words of their files. Given the
+folder of a build whose hard.* tests have run, it writes the table anew with their figures."""
 import json
 import pathlib
 import sys
@@ -22,7 +22,7 @@ def words(path):
 
 
 def figures(path, build, old):
-    """Steps of both solvers, their difference, the largest number of the certificate, and the verdict, of the run on the fewest ranks; the
+    """Steps of both solvers, their difference, the largest number of the certificate, and the verdict, of the run on the fewest ranks. The
     previous entry if the case has not run in this build."""
     head = read_head(path)
     if head["exit"] in ENDS:

@@ -1,5 +1,5 @@
-"""Tetrahedra on hexahedra in space, 2:3 and with exchanged roles 3:2; tetrahedra alone; four meshes of order 1, the finest
-in the long run, and two of order 2."""
+"""Tetrahedra on hexahedra in space, 2:3 and with exchanged roles 3:2, and tetrahedra alone. There are four meshes of order
+1, the finest in the long run, and two of order 2."""
 from judge import LONG
 from flatness import numbers, require_flat
 

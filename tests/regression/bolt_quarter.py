@@ -1,5 +1,5 @@
 """A bolted joint in space: statics of its three parts, and the forces of the axisymmetric model (bolted_joint). The rims of the plates'
-holes coincide, so no partner ends there; where cells end at the rim of the head, their other nodes have no pressure."""
+holes coincide, so no partner ends there. Where cells end at the rim of the head, their other nodes have no pressure."""
 import math
 
 from judge import near, require

@@ -1,5 +1,5 @@
-"""The claims of options/CONTACT_ZONE.md on shapes in space: pressures of Hertz on an ellipse, a circle and a strip; the stiffness is that of a flat
-punch on the same zone, and for equal areas the circle is the softest shape. The block is no half space: a little too stiff."""
+"""The claims of options/CONTACT_ZONE.md on shapes in space: pressures of Hertz on an ellipse, a circle and a strip. The stiffness is that of a flat
+punch on the same zone. For equal areas the circle is the softest shape. The block is no half space: a little too stiff."""
 import math
 import pathlib
 import sys

@@ -1,5 +1,5 @@
-"""The claims of options/CONTACT_ZONE.md on meshes and corners: the error counts facets in the zone; a narrower side leaves the inf-sup number
-as it is; the pressure at a sharp edge grows with refinement without end, that of a rounded edge does not."""
+"""The claims of options/CONTACT_ZONE.md on meshes and corners: the error counts facets in the zone. A narrower side leaves the inf-sup number
+as it is. The pressure at a sharp edge grows with refinement without end, that of a rounded edge does not."""
 import math
 import pathlib
 import sys

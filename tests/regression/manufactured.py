@@ -1,7 +1,7 @@
 """M1, M2: observed orders of convergence, sizes of the errors of order 2, and what the norms are.
 
 In M2 the loads have a kink at x = 0.55. Where a column of cells lies across it, the error in L2 depends on their quadrature and its
-order is erratic; orders are therefore taken on meshes with a line there.
+order is erratic. Orders are therefore taken on meshes with a line there.
 """
 import math
 import pathlib

@@ -1,5 +1,5 @@
-"""A roller in a groove of 90 degrees: each wall carries weight / sqrt(2) along its normal and nothing across it (statics); p0 is Hertz' for that force,
-higher by a share of (a/R)^2 = 0.013."""
+"""A roller in a groove of 90 degrees: each wall carries weight / sqrt(2) along its normal and nothing across it (statics). p0 is Hertz' for that
+force, higher by a share of (a/R)^2 = 0.013."""
 import math
 
 from judge import near

@@ -9,7 +9,7 @@ matter. The largest pressure of a Hertz contact with the force that was found is
 
 with 1/R = 1/R1 + 1/R2. It is exact for half spaces, so that the error of the bodies' shape is left. That is O((a/R)^2) in the plane,
 but O(a/R) for balls: to that order their surface deforms otherwise than a half space's. So the table has the largest pressure of two
-elastic balls, too, and the order of the difference from it; in the plane both are Hertz'. That pressure is by Legendre series (Lur'e,
+elastic balls, too, and the order of the difference from it. In the plane both are Hertz'. That pressure is by Legendre series (Lur'e,
 Three-dimensional problems of the theory of elasticity, 1964, chapter 6).
 """
 import math
@@ -29,7 +29,7 @@ BALLS = ((1.0, 2000.0), (2.0, 1000.0))  # radius and modulus
 
 
 def polar(radius, sign, half, grade=0.06):
-    """A sector of [0, 1] x [0, 1]: x along the arc up to the angle 0.6, small below half; y from the arc inward to 0.2 of the radius."""
+    """A sector of [0, 1] x [0, 1]. x is along the arc up to the angle 0.6, small below half, y from the arc inward to 0.2 of the radius."""
     angle = f"(0.6*({grade}*x+{1 - grade}*x^3))"
     r = f"({radius}*(1-0.8*({grade}*y+{1 - grade}*y^3)))"
     return f"{r}*sin({angle}), {sign}*({radius}-{r}*cos({angle}))"

@@ -4,7 +4,7 @@
     random_scenes.py <program> [scenes] [first seed] [folder]
 
 A scene is made of its seed alone. Its rigid statics are solved by hand: forces along normals and lines of centres that balance all
-weights. Where they cannot, or would have to pull, the program has to refuse (exit 2); where they can, it has to find them (exit 0), and once
+weights. Where they cannot, or would have to pull, the program has to refuse (exit 2). Where they can, it has to find them (exit 0), and once
 more with one of: roles swapped, the other solver, three ranks. A wrong force with exit 0 is the worst; other ends are told apart.
 """
 import collections

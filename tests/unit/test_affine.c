@@ -45,7 +45,8 @@ static void TestMiddle(void)
   CHECK_NEAR(w[1], 0.5, 1e-12);
 }
 
-/* A little outside of all places weights are negative, far outside there are none; and none where places lie in a plane and this one does not. */
+/* A little outside of all places weights are negative, far outside there are none. Nor are there any where
+   places lie in a plane and this one does not. */
 static void TestOutside(void)
 {
   const PetscReal flat[] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};

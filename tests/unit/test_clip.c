@@ -152,8 +152,8 @@ static PetscReal Project(const Chain *facet, const PetscReal y[])
   return xi;
 }
 
-/* Mortar surfaces too flat to fold back along a ray: reaching beyond both ends, one covers the whole facet without
-   holes or overlaps; a narrow one covers what lies between the projections of its ends. */
+/* Mortar surfaces too flat to fold back along a ray: reaching beyond both ends, one covers the whole facet
+   without holes or overlaps. A narrow one covers what lies between the projections of its ends. */
 static void TestCover(PetscReal begin, PetscReal end)
 {
   for (PetscInt trial = 0; trial < 3000; trial++) {

@@ -76,8 +76,8 @@ static void TestReferenceValues(void)
   }
 }
 
-/* A facet with normals far off its own against any facet: every point lies on its ray and on both facets; what is covered is
-   where sampled rays pass between the mortar ends. */
+/* A facet with normals far off its own against any facet: every point lies on its ray and on both facets.
+   What is covered is where sampled rays pass between the mortar ends. */
 static void TestWild(void)
 {
   enum { NUM_SAMPLES = 101 };

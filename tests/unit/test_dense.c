@@ -72,8 +72,8 @@ static void TestEigenRange(void)
   }
 }
 
-/* All eigenvalues, the largest first: their sum, the sum of their squares and their product are those of the matrix; of a
-   matrix with a double one they are known. */
+/* All eigenvalues, the largest first: their sum, the sum of their squares and their product are those of the
+   matrix. Of a matrix with a double one they are known. */
 static void TestEigenvalues(void)
 {
   const PetscReal twice[] = {2., 1., 1., 1., 2., 1., 1., 1., 2.}; /* 4, 1, 1 */

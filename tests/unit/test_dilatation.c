@@ -95,8 +95,8 @@ static void TestNearest(ElementType type, DilatationKind kind, Points *p)
   }
 }
 
-/* u = c x + (d.x) x has div u = tr c + (dim + 1) d.x. Cells of order 2 with straight edges have all quadratic displacements:
-   a linear theta is div u itself, anywhere in the cell; and so is the mean where d = 0. */
+/* u = c x + (d.x) x has div u = tr c + (dim + 1) d.x. Cells of order 2 with straight edges have all quadratic
+   displacements: a linear theta is div u itself, anywhere in the cell. So is the mean where d = 0. */
 static void TestExact(ElementType type, DilatationKind kind, Points *p)
 {
   const PetscInt dim = ElementDim(type);

@@ -56,8 +56,8 @@ static void TestFlat(void)
   }
 }
 
-/* Two quadratic surfaces z = -x.S x/2 and z = x.S' x/2 with axes turned against each other: n_s = (-S t, -1), n_m = (S' t, ..) at t;
-   the direction is down but for terms of the third order. */
+/* Two quadratic surfaces z = -x.S x/2 and z = x.S' x/2 with axes turned against each other: n_s = (-S t, -1),
+   n_m = (S' t, ..) at t. The direction is down but for terms of the third order. */
 static void TestTurnedCylinders(void)
 {
   for (PetscInt turn = 1; turn <= 4; ++turn) {

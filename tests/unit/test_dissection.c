@@ -1,5 +1,5 @@
-/* test_dissection.c -- the pivot order of solids: every unknown once, those of the Schur complement last; and the factors that MUMPS
-   makes with it, or with an order of its own. */
+/* test_dissection.c -- the pivot order of solids: every unknown once, those of the Schur complement last.
+   Also the factors that MUMPS makes with it, or with an order of its own. */
 #include "base/compat.h"
 #include "pdas/factorization.h"
 #include "test.h"

@@ -97,7 +97,7 @@ static void TestSliver(void)
 
 /* A quadratic line covered on a small part at its beginning or inside. M_e has a condition of e^-4, but the
    polynomials keep their accuracy. psi_i is D_i times the function that gives values at the node i: psi_i =
-   D_i sum_k p_k(node i) p_k with Legendre's polynomials on the part; D in closed form, negative at the far
+   D_i sum_k p_k(node i) p_k with Legendre's polynomials on the part. D is in closed form, negative at the far
    end. */
 static void TestQuadraticSliver(PetscReal begin)
 {

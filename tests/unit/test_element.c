@@ -39,8 +39,8 @@ static void TestTable(void)
   }
 }
 
-/* Facets run around the cell with the normal outward: sum int x.n = 2 area of any cell, sum int n = 0; the facet's own
-   shape functions give the cell's side. */
+/* Facets run around the cell with the normal outward: sum int x.n = 2 area of any cell, sum int n = 0. The
+   facet's own shape functions give the cell's side. */
 static void TestFacets(ElementType type)
 {
   const ElementType facet = ElementFacetType(type);

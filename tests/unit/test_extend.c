@@ -1,5 +1,5 @@
-/* test_extend.c -- a run that goes on from that of a coarser adapted mesh has its solution, and multigrid that needs no more iterations; on any
-   number of ranks. */
+/* test_extend.c -- a run that goes on from that of a coarser adapted mesh has its solution. Its multigrid
+   needs no more iterations, on any number of ranks. */
 #include "base/compat.h"
 #include <petscmat.h>
 #include "pdas/pdas.h"

@@ -205,7 +205,8 @@ static void CheckCase(const Case *c)
   TestSceneFree(&t);
 }
 
-/* The moment about z of a pressure on a disc, which pushes along z on top of a box: none; about x and y its place times the force. */
+/* A pressure on a disc, which pushes along z on top of a box, has no moment about z. About x and y it is its
+   place times the force. */
 static void TestMoment(PetscBool simplex)
 {
   const PetscReal    lower[3] = {0, 0, 0}, upper[3] = {1, 1, 1}, force = -0.9 * PETSC_PI;

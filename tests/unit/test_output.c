@@ -175,8 +175,8 @@ static PetscErrorCode TestPicture(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Cells of second order keep their nodes in the order of element.h, which is that of XDMF and of VTK; the numbers by which
-   the formats know them are 36 and 35, 22 and 28. */
+/* Cells of second order keep their nodes in the order of element.h, which is that of XDMF and of VTK. The
+   numbers by which the formats know them are 36 and 35, 22 and 28. */
 static PetscErrorCode TestQuadraticCells(void)
 {
   static const int       expected[17] = {36, 0, 1, 2, 3, 4, 5, 35, 1, 6, 7, 2, 8, 9, 10, 4, 11};
@@ -213,7 +213,8 @@ static PetscErrorCode TestQuadraticCells(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Points that are some of the nodes; rank 1 has nothing, others have cells of two types: a triangle and, on rank 2 before it, a quad. */
+/* Points that are some of the nodes. Rank 1 has nothing, others have cells of two types: a triangle and, on
+   rank 2 before it, a quad. */
 static PetscErrorCode TestSomeNodes(void)
 {
   static const int alone[3] = {0, 1, 2}, mixed[13] = {4, 0, 1, 2, 4, 3, 4, 5, 5, 3, 4, 5, 6};

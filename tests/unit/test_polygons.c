@@ -183,8 +183,8 @@ static void RandomCorners(PetscInt num_lines, const PetscReal x[], const PetscRe
   } while (!inside);
 }
 
-/* Random facets on a sheared grid of quads and triangles, slivers among them; corners are often nodes of the grid, so that
-   facets share vertices and edges with it. What they have in common adds up to the facet. */
+/* Random facets on a sheared grid of quads and triangles, slivers among them. Corners are often nodes of the
+   grid, so that facets share vertices and edges with it. What they have in common adds up to the facet. */
 static void TestFuzz(PetscInt num_pairs)
 {
   enum { LINES = 7, CELLS = LINES - 1 };
@@ -247,8 +247,8 @@ static void CurvedFacet(ElementType type, PetscReal in_plane, PetscReal out_of_p
 }
 
 /* Points of curved facets of all types: each lies before its place on the mortar facet, along the plane's normal. A facet
-   inside of one mortar facet is covered: int phi is that of its own rule, true areas included; the rules are of high degree,
-   since bilinear maps and curved areas are no polynomials in the plane. */
+   inside of one mortar facet is covered: int phi is that of its own rule, true areas included. The rules are
+   of high degree, since bilinear maps and curved areas are no polynomials in the plane. */
 static void TestCurved(ElementType own, ElementType other)
 {
   for (PetscInt trial = 0; trial < 50; trial++) {

@@ -2,7 +2,8 @@
    Levels are made by refinement of the body, of all bodies, and by bisection. */
 #include "mesh_scene.h"
 
-/* A unit square in layers up to 0.3, 0.7 and 1, or a unit cube in layers up to 0.4 and 1; the last coordinate tells the layer. */
+/* A unit square in layers up to 0.3, 0.7 and 1, or a unit cube in layers up to 0.4 and 1. The last coordinate
+   tells the layer. */
 typedef struct {
   const char *file;
   PetscInt    dim, num_layers;

@@ -106,7 +106,8 @@ static void TestSolids(void)
   }
 }
 
-/* Two sides of a box as one: each facet has the normal of its own side, exactly flat; the edge between them is a convex ridge. */
+/* Two sides of a box as one: each facet has the normal of its own side, exactly flat. The edge between them
+   is a convex ridge. */
 static void TestEdge(void)
 {
   TestScene t;

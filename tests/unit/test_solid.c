@@ -149,8 +149,8 @@ static void TestQuadrature(ElementType type, PetscInt highest, PetscInt num_stif
   CHECK(QuadratureRule(type, ElementStiffnessDegree(type), points, weights) == num_stiffness);
 }
 
-/* A linear field on any cell: its value and its gradient come back; int det J = volume by the facets; facets are where the
-   cell's own map puts them. */
+/* A linear field on any cell: its value and its gradient come back. int det J = volume by the facets. Facets
+   are where the cell's own map puts them. */
 static void TestMap(ElementType type)
 {
   const ElementType facet      = ElementFacetType(type);
@@ -342,8 +342,8 @@ static void Stiffness(ElementType type, const PetscReal X[], const PetscReal C[]
   }
 }
 
-/* K u = 0 for rigid motions; a constant stress gives the forces int n.sigma phi on the facets and no others: the patch test,
-   on cells with any sides. */
+/* K u = 0 for rigid motions. A constant stress gives the forces int n.sigma phi on the facets and no others:
+   the patch test, on cells with any sides. */
 static void TestStiffness(ElementType type)
 {
   const ElementType facet = ElementFacetType(type);

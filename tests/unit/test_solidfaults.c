@@ -1,5 +1,5 @@
-/* test_solidfaults.c -- mistakes in files of solids: each is one sentence that names the culprit; cells that are merely inside
-   out, or of two kinds, are none. */
+/* test_solidfaults.c -- mistakes in files of solids: each is one sentence that names the culprit. Cells that
+   are merely inside out, or of two kinds, are no mistake. */
 #include "solid_scene.h"
 
 static char FileName[PETSC_MAX_PATH_LEN]; /* written for one test after the other, removed in the end */

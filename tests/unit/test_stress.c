@@ -130,8 +130,9 @@ static void TestPolynomialLoads(PetscBool simplex)
   TestSceneFree(&t);
 }
 
-/* A quarter of a ring whose sides are parabolas. The resultant of a pressure on a curve depends on its ends alone; the
-   length of the curve, and the area between two, are those of circles but for the fourth power of the angle of a cell. */
+/* A quarter of a ring whose sides are parabolas. The resultant of a pressure on a curve depends on its ends
+   alone. The length of the curve, and the area between two, are those of circles but for the fourth power of
+   the angle of a cell. */
 static void TestCurvedLoads(PetscBool simplex)
 {
   const PetscReal angle4 = PetscPowReal(PETSC_PI / 2 / 6, 4);
