@@ -91,8 +91,8 @@ static PetscErrorCode RecordsCreate_Private(const Files *files, const FileCells 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Answers to records with the same corners. Returns whether they are valid: at most two cells, on opposite
-   sides if of one body, and at most one facet of the file, with a cell. [in] record - [num] */
+/* Answers to records with the same corners. Returns whether they are valid. Valid are at most two cells, on
+   opposite sides if of one body, and at most one facet of the file, with a cell. [in] record - [num] */
 static PetscBool RecordsMatch_Private(PetscInt num, const FacetRecord record[], FacetAnswer answer[])
 {
   const FacetRecord *cell[2] = {NULL, NULL}, *facet = NULL;
