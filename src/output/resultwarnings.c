@@ -196,7 +196,7 @@ static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of lost friction, where a support fixes the nonmortar side along a mortar side that is free.
+/* Warns of lost friction, where a support fixes the nonmortar side along a partner that does not move along.
    Collective. */
 static PetscErrorCode SummaryWarnHeldFriction_Private(const SummaryInput *in, PetscInt p)
 {
@@ -204,19 +204,22 @@ static PetscErrorCode SummaryWarnHeldFriction_Private(const SummaryInput *in, Pe
   Warning          held = {.code   = "held_friction",
                            .pair   = spec->name,
                            .dim    = in->scene->dim,
-                           .advice = "exchange nonmortar and mortar side, or support the body elsewhere"};
+                           .advice = spec->mortar.body < 0
+                                         ? "support the body elsewhere, or refine there"
+                                         : "exchange nonmortar and mortar side, or support the body elsewhere"};
   PetscInt         num;
+  PetscReal        share;
   char             at[128];
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionFieldsFindHeld(in->fields, p, &num, held.at));
+  PetscCall(FrictionFieldsFindHeld(in->fields, p, &num, &share, held.at));
   if (!num) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(NumberWordsVector(in->scene->dim, held.at, at, sizeof(at)));
   PetscCall(WarningAdd(&held,
                        "%s has no friction at %" PetscInt_FMT
-                       " node%s in contact, first at %s: supports hold the nonmortar side there along the mortar side, "
-                       "which is free to slide",
-                       spec->name, num, num == 1 ? "" : "s", at));
+                       " node%s in contact, first at %s, %.3g %% of its area: supports hold the nonmortar side there "
+                       "along its partner, which does not move with it",
+                       spec->name, num, num == 1 ? "" : "s", at, (double)(100 * share)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

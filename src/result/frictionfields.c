@@ -200,45 +200,98 @@ static PetscErrorCode FrictionFieldsShareHeld_Private(VI vi, PetscInt p, PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks normal rows of pair p in contact whose node is held along a direction in which its mortar nodes are
-   free. On a plane of symmetry one of these is held.
-   [in] share - of FrictionFieldsShareHeld_Private(); [in,out] chosen - [num_rows] */
-static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, const PetscReal share[], PetscBool chosen[])
+/* M times the prescribed displacements of the mortar side, at nodes of pair p. Collective.
+   [out] moved - owned by the caller [num_owned][dim] */
+static PetscErrorCode FrictionFieldsMoveMortar_Private(VI vi, PetscInt p, PetscReal **moved)
 {
-  const VI       vi   = fields->vi;
-  const Pair     pair = vi->pairs[p];
-  const PetscInt dim  = vi->level->dim;
+  const Support   *support = &vi->support;
+  const PetscInt   dim = vi->level->dim, num = vi->level->num_owned;
+  Vec              given, sum;
+  PetscReal       *value;
+  const PetscReal *result;
 
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscInt a = vi->row_node[r], i = pair->nodes[a];
-
-    if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
-    for (PetscInt j = 0; j < vi->support.count[i]; j++) {
-      const PetscReal *d    = &vi->support.directions[(i * dim + j) * dim];
-      PetscReal        held = 0;
-
-      for (PetscInt k = 0; k < dim; k++) held += d[k] * VectorDot(dim, &share[(i * dim + k) * dim], d);
-      if (PetscAbsReal(held) <= STUCK * pair->D[a]) chosen[r] = PETSC_TRUE;
-    }
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num * dim, moved));
+  PetscCall(LevelCreateVec(vi->level, 1, &given));
+  PetscCall(VecDuplicate(given, &sum));
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscCall(VecZeroEntries(given));
+    PetscCall(VecGetArray(given, &value));
+    for (PetscInt i = 0; i < num; i++)
+      for (PetscInt j = 0; j < support->count[i]; j++)
+        value[i] += support->values[i * dim + j] * support->directions[(i * dim + j) * dim + k];
+    PetscCall(VecRestoreArray(given, &value));
+    PetscCall(MatMult(vi->pairs[p]->M, given, sum));
+    PetscCall(VecGetArrayRead(sum, &result));
+    for (PetscInt i = 0; i < num; i++) (*moved)[i * dim + k] = result[i];
+    PetscCall(VecRestoreArrayRead(sum, &result));
   }
+  PetscCall(VecDestroy(&sum));
+  PetscCall(VecDestroy(&given));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal at[])
+/* Whether friction is lost along the held direction j of node a of a pair: its mortar nodes are free, or
+   supports move the two sides along each other. On a plane of symmetry both are held, with the same value.
+   [in] share, moved - of the functions above, or NULL for an obstacle */
+static PetscBool FrictionFieldsIsLost_Private(const Support *support, const Pair pair, PetscInt a, PetscInt j,
+                                              const PetscReal share[], const PetscReal moved[])
+{
+  const PetscInt   dim = support->dim, i = pair->nodes[a];
+  const PetscReal *d     = &support->directions[(i * dim + j) * dim];
+  PetscReal        given = 0, held = 0;
+
+  for (PetscInt k = 0; share && k < dim; k++) held += d[k] * VectorDot(dim, &share[(i * dim + k) * dim], d);
+  if (share && PetscAbsReal(held) <= STUCK * pair->D[a]) return PETSC_TRUE;
+  if (share) given = VectorDot(dim, &moved[i * dim], d) / held;
+  return (PetscBool)(PetscAbsReal(support->values[i * dim + j] - given) > STUCK * support->max_value);
+}
+
+/* Marks normal rows of pair p in contact whose node loses friction.
+   [in] share, moved - or NULL for an obstacle; [in,out] chosen - [num_rows] */
+static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, const PetscReal share[], const PetscReal moved[],
+                                           PetscBool chosen[])
 {
   const VI   vi   = fields->vi;
   const Pair pair = vi->pairs[p];
-  PetscReal *share;
+
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt a = vi->row_node[r];
+
+    if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
+    for (PetscInt j = 0; j < vi->support.count[pair->nodes[a]]; j++)
+      if (FrictionFieldsIsLost_Private(&vi->support, pair, a, j, share, moved)) chosen[r] = PETSC_TRUE;
+  }
+}
+
+PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal *share, PetscReal at[])
+{
+  const VI   vi    = fields->vi;
+  const Pair pair  = vi->pairs[p];
+  PetscReal *fixed = NULL, *moved = NULL, areas[2] = {0, 0};
   PetscBool *chosen;
 
   PetscFunctionBeginUser;
   *num = 0;
-  if (!ScenePairHasFriction(pair->spec) || !pair->M) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!ScenePairHasFriction(pair->spec)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(vi->num_rows, &chosen));
-  PetscCall(FrictionFieldsShareHeld_Private(vi, p, &share));
-  FrictionFieldsMarkHeld_Private(fields, p, share, chosen);
-  PetscCall(PetscFree(share));
-  for (PetscInt r = 0; r < vi->num_rows; r++) *num += chosen[r] ? 1 : 0;
+  if (pair->M) {
+    PetscCall(FrictionFieldsShareHeld_Private(vi, p, &fixed));
+    PetscCall(FrictionFieldsMoveMortar_Private(vi, p, &moved));
+  }
+  FrictionFieldsMarkHeld_Private(fields, p, fixed, moved, chosen);
+  PetscCall(PetscFree(fixed));
+  PetscCall(PetscFree(moved));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
+    areas[1] += fields->row_weight[r];
+    if (!chosen[r]) continue;
+    areas[0] += fields->row_weight[r];
+    ++*num;
+  }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_INT, MPI_SUM, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, areas, 2, MPIU_REAL, MPI_SUM, vi->level->comm));
+  *share = areas[1] > 0 ? areas[0] / areas[1] : 0;
   if (*num) PetscCall(PairSumFindFirstPlace(vi, chosen, at));
   PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -29,10 +29,11 @@ PetscErrorCode FrictionFieldsSetStatus(Fields fields);
    [out] slip - of the nonmortar side against it, in this load step; NAN without a multiplier
    [num_owned][dim] */
 PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[]);
-/* Nodes of pair p in contact that a support holds along the side while the mortar side there is free:
-   friction on that is lost. Collective.
-   [out] num - of all ranks; at - the first of them by coordinates [dim] */
-PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal at[]);
+/* Nodes of pair p in contact whose friction is lost: a support holds them along the side while the mortar
+   side there is free, or supports move them along the mortar side or the obstacle. Collective.
+   [out] num - of all ranks; [out] share - their part of the area in contact;
+   [out] at - the first of them by coordinates [dim] */
+PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal *share, PetscReal at[]);
 /* Collective. */
 PetscErrorCode FrictionSumCompute(Fields fields, PetscInt p, FrictionSum *sum);
 /* Collective. [in] tolerance - that roundoff of forces and displacements may reach */
