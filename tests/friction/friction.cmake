@@ -5,6 +5,8 @@ mortise_scene_test(incline_solid CHECK incline.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(tresca SCENE incline CHECK tresca.py RANKS 1 LONG_RANKS 3 ARGS -floor_friction 0 -floor_friction_bound 2500)
 mortise_scene_test(tresca_held CHECK tresca_held.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(greco CHECK greco.py RANKS 1 LONG_RANKS 3 ARGS -dm_refine 2 -cross_check)
+mortise_scene_test(graded SCENE greco CHECK graded.py RANKS 1 ARGS -block_dm_plex_box_faces 64,64
+  -block_map "x*(0.3+0.7*x/0.04), y*(0.2+0.8*y/0.04)")
 mortise_scene_test(adaptive SCENE greco CHECK adaptive.py RANKS 1 LONG_RANKS 3 ARGS -block_dm_plex_box_faces 8,8 -adapt 5e-4)
 mortise_scene_test(warm SCENE fretting CHECK warm.py RANKS 1 ARGS -load_steps 1,2,3 -adapt 3e-2)
 mortise_scene_test(warm_multigrid LONG SCENE fretting CHECK warm.py RANKS 1 LONG_RANKS 3 ARGS -load_steps 1,2,3 -adapt 3e-2 -pc_type truncatedmg)
