@@ -28,10 +28,10 @@ typedef struct {
 
 /* Sends to each rank the mortar facets within reach of its nonmortar facets. These are at least the facets
    whose boxes meet the box of a nonmortar facet, widened by the reach. Collective.
-   [in] shape - of the mortar facets; optional, may be NULL;
+   [in] shape, bulges - of the mortar facets (smoothgap.h); optional, may be NULL on all ranks;
    [out] surface - owned by the caller, MortarSurfaceDestroy() */
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
-                                   PetscReal reach, MortarSurface *surface);
+                                   const PetscReal bulges[], PetscReal reach, MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 /* Creates the tree of its facets again, after they have moved. Not collective. */
 PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface);

@@ -183,7 +183,8 @@ static PetscErrorCode DeformedGapOfGeometry_Private(Scene scene, const Support *
   if (u) assembly.motion = 2 * PetscSqrtReal((PetscReal)pair->level->dim) * most;
   PetscCall(PairAssemblyCreate(scene, pair->level, support, &moved, &assembly));
   PetscCall(DeformedGapKeepNodes_Private(pair, assembly.status));
-  PetscCall(RedistributionApply(pair->level, &assembly.nonmortar, assembly.status, &assembly.sums, &moved.D_other));
+  PetscCall(RedistributionApply(pair->level, &assembly.sums.carrying.facets, assembly.status, &assembly.sums,
+                                &moved.D_other));
   PetscCall(VecGetArrayRead(assembly.sums.D, &D));
   PetscCall(VecGetArrayRead(assembly.sums.G, &G));
   for (PetscInt k = 0; k < pair->num; k++) {

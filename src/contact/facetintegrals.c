@@ -4,7 +4,6 @@
    is built from these points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are
    summed over them. So biorthogonality, row sums and linear reproduction hold to roundoff for any rule. */
 #include "base/compat.h"
-#include "kernel/dual.h"
 #include "kernel/frame.h"
 #include "contact/leverarm.h"
 #include "contact/facetintegrals.h"
@@ -95,7 +94,7 @@ static void FacetIntegralAddPoint_Private(const FacetPartner *partner, const Cli
   PetscBool       turns = integral->turns;
 
   ElementShape(other.type, point->eta, phi_m, NULL);
-  if (turns) turns = LeverArmAlongRows(partner->dim, integral->n, facet, &other, point, extra);
+  if (turns) turns = LeverArmAlongRows(partner->dim, integral->n, integral->rows->N, facet, &other, point, extra);
   for (PetscInt j = 0; j < num; j++) {
     PetscReal *M = &integral->M[columns[j] * ELEMENT_MAX_FACET_NODES];
     for (PetscInt i = 0; i < integral->n; i++)
@@ -140,7 +139,8 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     w[p] = list->point[p].weight;
     integral->cover += w[p];
   }
-  regular = DualBasisCreate(FacetIntegralCarrier(partner->spec, facet->type), list->num, xi, w, &dual);
+  regular =
+      DualBasisCreate(FacetIntegralCarrier(partner->spec, facet->type), list->num, xi, w, integral->rows->nodes, &dual);
   for (PetscInt p = 0; regular && p < list->num; p++) { // a sliver without measure is not covered
     const PetscInt f = list->facet[p];
     PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
@@ -181,6 +181,7 @@ static void FacetIntegralSumFull_Private(const FacetPartner *partner, const Clip
     DualShape(carrier, phi);
     for (PetscInt i = 0; i < integral->n; i++) integral->full[i] += weight * phi[i];
   }
+  if (integral->rows->nodes) DualNodesApply(integral->n, integral->rows->nodes, integral->full);
 }
 
 /* The overlap boundary within a facet that is covered in part. */
@@ -216,13 +217,14 @@ static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
-                                    OverlapPoints *list, FacetIntegral *integral)
+PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const FacetRows *rows,
+                                    const PetscReal bulges[], OverlapPoints *list, FacetIntegral *integral)
 {
   const ElementType carrier = FacetIntegralCarrier(partner->spec, facet->type);
   PetscReal         curve;
 
   PetscFunctionBeginUser;
+  integral->rows        = rows;
   integral->n           = ElementNumNodes(carrier);
   integral->num_columns = 0;
   integral->has_arm     = PETSC_FALSE;
@@ -245,6 +247,7 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
       (PetscBool)(partner->mortar && !integral->fully_covered && integral->cover > NOTHING * integral->measure);
   if (integral->partly_covered && !partner->gap_only)
     PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
+  integral->rows = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -76,8 +76,8 @@ PetscBool LeverArmDirectionsDiffer(PetscInt dim, const ClipFacet *facet)
   return PETSC_FALSE;
 }
 
-PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const ClipFacet *facet, const ClipFacet *mortar,
-                            const ClipPoint *point, PetscReal extra[])
+PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const PetscReal rows[], const ClipFacet *facet,
+                            const ClipFacet *mortar, const ClipPoint *point, PetscReal extra[])
 {
   const PetscInt num = ElementNumNodes(mortar->type);
   PetscReal      phi[ELEMENT_MAX_NODES], dphi[2 * ELEMENT_MAX_NODES], g[3 * ELEMENT_MAX_FACET_NODES], x[3], y[3], n[3];
@@ -96,7 +96,7 @@ PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const ClipFacet *fa
     for (PetscInt k = 0; k < dim; k++) n[k] = -n[k];
   }
   for (PetscInt i = 0; i < num_rows; i++) {
-    const PetscReal *na     = &facet->N[i * dim];
+    const PetscReal *na     = &rows[i * dim];
     const PetscReal  cosine = VectorDot(dim, na, n);
 
     for (PetscInt j = 0; j < num; j++) {

@@ -23,8 +23,9 @@ PetscBool LeverArmDirectionsDiffer(PetscInt dim, const ClipFacet *facet);
    direction n_i: beside_i . grad phi^m_j. The vector beside_i lies in the tangent plane at pi(x), and ends
    where x + t n_i meets that plane. Returns whether there is a tangent plane; else extra is not set.
    Not collective.
-   [in] num_rows - the first nodes of the facet; [out] extra - [num_rows][nodes of the mortar facet] */
-PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const ClipFacet *facet, const ClipFacet *mortar,
-                            const ClipPoint *point, PetscReal extra[]);
+   [in] rows - directions n_i of the rows [num_rows][dim];
+   [out] extra - [num_rows][nodes of the mortar facet] */
+PetscBool LeverArmAlongRows(PetscInt dim, PetscInt num_rows, const PetscReal rows[], const ClipFacet *facet,
+                            const ClipFacet *mortar, const ClipPoint *point, PetscReal extra[]);
 
 #endif

@@ -242,6 +242,26 @@ static PetscErrorCode MortarIntegralsAssemble_Private(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The displacement of hanging nodes of a mortar side is that of the nodes that they hang on: M := M S, and
+   the same of the arm. Collective. */
+static PetscErrorCode MortarIntegralsConform_Private(Level *level, MortarIntegrals *sums)
+{
+  Mat  S, product;
+  Mat *A[2] = {&sums->M, &sums->arm};
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < 2 && level->conforming; i++) {
+    if (!*A[i]) continue;
+    PetscCall(LevelCreateBlocks(level->conforming, i ? level->dim : 1, &S));
+    PetscCall(MatMatMult(*A[i], S, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
+    PetscCall(MatProductClear(product)); // it would keep its factors
+    PetscCall(MatDestroy(&S));
+    PetscCall(MatDestroy(A[i]));
+    *A[i] = product;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
                                      MortarIntegrals *sums)
 {
@@ -249,26 +269,33 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
   PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
   const PetscScalar *na;
   FacetIntegral     *integrals;
+  const Facets      *at = &sums->carrying.facets;
   OverlapPoints      list;
   Vec                local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(facets->num, &integrals));
   PetscCall(OverlapPointsCreate(dim, &list));
+  PetscCall(CarryingNodesCreate(level, facets, &sums->carrying));
   sums->points = NULL;
   if (!partner->gap_only) PetscCall(PairPointsCreate(&sums->points));
   PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
   for (PetscInt f = 0; f < facets->num; f++) {
-    const ClipFacet facet = {facets->type[f], X, N};
-    sums->carrier[f]      = FacetIntegralCarrier(partner->spec, facets->type[f]);
+    const ClipFacet facet  = {facets->type[f], X, N};
+    const PetscInt  number = sums->carrying.number[f];
+    FacetRows       rows   = {.nodes = number < 0 ? NULL : &sums->carrying.functions[number]};
+
+    sums->carrier[f] = FacetIntegralCarrier(partner->spec, facets->type[f]);
     ContactFacetCoordinates(level, facets, f, X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       for (PetscInt k = 0; k < dim; k++)
         N[i * dim + k] = PetscRealPart(na[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
+      for (PetscInt k = 0; k < dim; k++)
+        rows.N[i * dim + k] = PetscRealPart(na[at->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
     }
-    PetscCall(FacetIntegralCompute(partner, &facet,
+    PetscCall(FacetIntegralCompute(partner, &facet, &rows,
                                    partner->bulges ? &partner->bulges[f * ELEMENT_MAX_FACET_NODES * dim] : NULL, &list,
                                    &integrals[f]));
     if (sums->points) PetscCall(PairPointsAdd(sums->points, f, &list));
@@ -284,15 +311,16 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
   PetscCall(VecDuplicate(sums->D, &sums->cover));
   PetscCall(VecDuplicate(sums->D, &sums->fully_covered));
   PetscCall(VecDuplicate(sums->D, &sums->partly_covered));
-  PetscCall(MortarIntegralsCreateM_Private(level, partner, facets, integrals, &sums->M));
-  PetscCall(MortarIntegralsCreateArm_Private(level, partner, facets, integrals, &sums->arm));
-  PetscCall(MortarIntegralsCreateOffDiagonal_Private(level, facets, sums->carrier, &sums->D_other));
-  PetscCall(MortarIntegralsSumFacets_Private(level, facets, integrals, sums));
-  PetscCall(MortarIntegralsSetOverlap_Private(facets, integrals, sums->overlap));
-  PetscCall(MortarIntegralsGatherBoundary_Private(facets, integrals, sums));
+  PetscCall(MortarIntegralsCreateM_Private(level, partner, at, integrals, &sums->M));
+  PetscCall(MortarIntegralsCreateArm_Private(level, partner, at, integrals, &sums->arm));
+  PetscCall(MortarIntegralsCreateOffDiagonal_Private(level, at, sums->carrier, &sums->D_other));
+  PetscCall(MortarIntegralsSumFacets_Private(level, at, integrals, sums));
+  PetscCall(MortarIntegralsSetOverlap_Private(at, integrals, sums->overlap));
+  PetscCall(MortarIntegralsGatherBoundary_Private(at, integrals, sums));
   PetscCall(MortarIntegralsAssemble_Private(sums->M));
   PetscCall(MortarIntegralsAssemble_Private(sums->arm));
   PetscCall(MortarIntegralsAssemble_Private(sums->D_other));
+  PetscCall(MortarIntegralsConform_Private(level, sums));
   for (PetscInt f = 0; f < facets->num; f++) PetscCall(FacetIntegralDestroy(&integrals[f]));
   PetscCall(PetscFree(integrals));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -313,6 +341,7 @@ PetscErrorCode MortarIntegralsDestroy(MortarIntegrals *sums)
   PetscCall(PairPointsDestroy(&sums->points));
   PetscCall(MatDestroy(&sums->arm));
   PetscCall(MatDestroy(&sums->D_other));
+  PetscCall(CarryingNodesDestroy(&sums->carrying));
   PetscCall(PetscFree2(sums->covered, sums->carrier));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

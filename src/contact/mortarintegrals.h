@@ -2,6 +2,7 @@
 #ifndef MORTISE_MORTARINTEGRALS_H
 #define MORTISE_MORTARINTEGRALS_H
 
+#include "contact/carryingnodes.h"
 #include "contact/facetintegrals.h"
 #include "contact/pairpoints.h"
 
@@ -20,6 +21,11 @@ PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const
 /* Sums the contributions of all ranks to normals, and normalizes; zero stays zero. Collective.
    [in,out] normals - ghosted */
 PetscErrorCode NodalNormalsShare(Level *level, Vec normals);
+
+/* Gives hanging nodes the directions of those that they hang on, interpolated and normalized. A node on which
+   nodes of the side hang, and which has no facet of the side, gets the mean of theirs. Without hanging nodes
+   nothing happens. Collective. [in,out] normals - ghosted */
+PetscErrorCode NodalNormalsConform(Level *level, Vec normals);
 
 /* Where facets meet at more than 45 degrees, takes the node's normal from those that face the other side.
    Collective.
@@ -42,6 +48,7 @@ typedef struct {
   OverlapBoundary *boundary; /* of this rank's facets [num_boundary] */
   PetscBool       *covered;  /* of this rank's facets */
   PairPoints       points;   /* of this rank's facets, NULL where gaps are measured alone */
+  CarryingNodes    carrying; /* of this rank's facets: the nodes of all these sums */
   ElementType     *carrier;  /* which of a facet's nodes may carry multipliers: the first ones, as of this type */
 } MortarIntegrals;
 

@@ -31,14 +31,16 @@ typedef struct {
   PetscInt  type, cell, material, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
   PetscReal coords[3 * ELEMENT_MAX_FACET_NODES];
   PetscReal normals[3 * ELEMENT_MAX_FACET_NODES], curvature[9 * ELEMENT_MAX_FACET_NODES];
+  PetscReal bulges[3 * ELEMENT_MAX_FACET_NODES];
 } FacetRecord;
 
 /* The mortar side of this rank. */
 typedef struct {
   const Level     *level;
   const Facets    *facets;
-  const SideShape *shape; /* may be NULL */
-  PetscInt         first; /* cell of this rank, counted over all ranks */
+  const SideShape *shape;  /* may be NULL */
+  const PetscReal *bulges; /* of SmoothGapCreate(), may be NULL */
+  PetscInt         first;  /* cell of this rank, counted over all ranks */
 } Side;
 
 /* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
@@ -155,6 +157,8 @@ static void MortarSurfacePackFacet_Private(const Side *side, PetscInt f, FacetRe
     record->normals[i] = side->shape->normal[f * ELEMENT_MAX_FACET_NODES * dim + i];
   for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim * dim && side->shape; i++)
     record->curvature[i] = side->shape->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i];
+  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim && side->bulges; i++)
+    record->bulges[i] = side->bulges[f * ELEMENT_MAX_FACET_NODES * dim + i];
 }
 
 /* Appends a facet; the arrays have room for it. */
@@ -170,6 +174,8 @@ static void MortarSurfaceAddFacet_Private(PetscInt dim, const FacetRecord *recor
   for (PetscInt i = 0; i < n * dim; i++) surface->normals[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->normals[i];
   for (PetscInt i = 0; i < n * dim * dim; i++)
     surface->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i] = record->curvature[i];
+  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim && surface->bulges; i++)
+    surface->bulges[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->bulges[i];
 }
 
 /* Facets that are sent between this rank and others. */
@@ -293,10 +299,10 @@ static PetscErrorCode MortarSurfaceTrafficDestroy_Private(Traffic *traffic)
 }
 
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
-                                   PetscReal reach, MortarSurface *surface)
+                                   const PetscReal bulges[], PetscReal reach, MortarSurface *surface)
 {
   const PetscInt dim  = level->dim;
-  Side           side = {level, mortar, shape, 0};
+  Side           side = {level, mortar, shape, bulges, 0};
   Covers         covers;
   Traffic        traffic;
   PetscInt       max;
@@ -313,6 +319,7 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
                          max * ELEMENT_MAX_FACET_NODES, &surface->nodes, max * ELEMENT_MAX_FACET_NODES * dim,
                          &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim, &surface->normals,
                          max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
+  if (bulges) PetscCall(PetscMalloc1(max * ELEMENT_MAX_FACET_NODES * dim, &surface->bulges));
   PetscCall(MortarSurfaceTrafficLoad_Private(&side, &covers, &traffic, surface));
   PetscCall(MortarSurfaceCoversDestroy_Private(&covers));
   PetscCall(MortarSurfaceTrafficRun_Private(level, &traffic, surface));

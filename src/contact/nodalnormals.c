@@ -4,6 +4,7 @@
    only those that face the partner count: a mean with the other ones would incline the contact force. */
 #include "base/compat.h"
 #include "kernel/frame.h"
+#include "kernel/vector.h"
 #include "contact/mortarintegrals.h"
 
 /* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
@@ -81,6 +82,56 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
   PetscCall(VecRestoreArray(local, &na));
   PetscCall(VecGhostRestoreLocalForm(*normals, &local));
   PetscCall(NodalNormalsShare(level, *normals));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Nodes without a direction get the mean of those of nodes that hang on them. */
+static PetscErrorCode NodalNormalsFill_Private(Level *level, Vec normals)
+{
+  const PetscInt dim     = level->dim;
+  const Hanging *hanging = &level->hanging;
+  PetscScalar   *na, *ma;
+  Vec            means, local[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(normals, &means));
+  PetscCall(VecGhostGetLocalForm(normals, &local[0]));
+  PetscCall(VecGhostGetLocalForm(means, &local[1]));
+  PetscCall(VecZeroEntries(local[1]));
+  PetscCall(VecGetArray(local[0], &na));
+  PetscCall(VecGetArray(local[1], &ma));
+  for (PetscInt i = 0; i < level->num_nodes; i++) {
+    for (PetscInt k = hanging->start[i]; k < hanging->start[i + 1]; k++)
+      for (PetscInt d = 0; d < dim; d++) ma[hanging->node[k] * dim + d] += na[i * dim + d];
+  }
+  PetscCall(VecRestoreArray(local[1], &ma));
+  PetscCall(NodalNormalsShare(level, means));
+  PetscCall(VecGetArray(local[1], &ma));
+  for (PetscInt i = 0; i < level->num_nodes; i++)
+    if (VectorDot(dim, &na[i * dim], &na[i * dim]) == 0) PetscCall(PetscArraycpy(&na[i * dim], &ma[i * dim], dim));
+  PetscCall(VecRestoreArray(local[1], &ma));
+  PetscCall(VecRestoreArray(local[0], &na));
+  PetscCall(VecGhostRestoreLocalForm(means, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local[0]));
+  PetscCall(VecDestroy(&means));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode NodalNormalsConform(Level *level, Vec normals)
+{
+  PetscScalar *na;
+  Vec          local;
+
+  PetscFunctionBeginUser;
+  if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(NodalNormalsFill_Private(level, normals));
+  PetscCall(LevelConform(level, level->dim, normals));
+  PetscCall(VecGhostGetLocalForm(normals, &local));
+  PetscCall(VecGetArray(local, &na));
+  for (PetscInt i = 0; i < level->num_nodes; i++)
+    if (LevelNodeHangs(level, i)) FrameNormalize(level->dim, &na[i * level->dim]);
+  PetscCall(VecRestoreArray(local, &na));
+  PetscCall(VecGhostRestoreLocalForm(normals, &local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

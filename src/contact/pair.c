@@ -107,6 +107,7 @@ static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *sup
   PetscCall(PairCopyGhosts_Private(own, assembly->normals));
   PetscCall(ContactNormalSet(level, partner, &assembly->nonmortar, &assembly->shape, assembly->normals));
   PetscCall(MultiplierStatusProjectNormals(level, support, assembly->normals));
+  PetscCall(NodalNormalsConform(level, assembly->normals));
   PetscCall(MortarIntegralsCreate(level, partner, &assembly->nonmortar, assembly->normals, &assembly->sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -154,9 +155,8 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
                             &bulges, &pair->curve_error[1]));
   pair->smooth[1] = bulges ? PETSC_TRUE : PETSC_FALSE;
-  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || bulges ? &shape : NULL,
+  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || bulges ? &shape : NULL, bulges,
                                 pair->reach + assembly->motion, surface));
-  if (bulges) PetscCall(SmoothGapCreateMortar(level->dim, surface));
   PetscCall(PetscFree(bulges));
   PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -269,10 +269,10 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   MortarIntegrals *sums = &assembly->sums;
 
   PetscFunctionBeginUser;
-  PetscCall(QuadraticBasisCreate(level, &assembly->nonmortar, sums->carrier, &pair->to_nodal, &pair->from_nodal));
-  PetscCall(RedistributionApply(level, &assembly->nonmortar, assembly->status, sums, &pair->D_other));
+  PetscCall(QuadraticBasisCreate(level, &sums->carrying.facets, sums->carrier, &pair->to_nodal, &pair->from_nodal));
+  PetscCall(RedistributionApply(level, &sums->carrying.facets, assembly->status, sums, &pair->D_other));
   if (pair->spec->type == PAIR_TIED && sums->M)
-    PetscCall(HeldRowsPass(level, support, &assembly->nonmortar, assembly->status, sums, pair));
+    PetscCall(HeldRowsPass(level, support, &sums->carrying.facets, assembly->status, sums, pair));
   PetscCall(PairCollectNodes_Private(level, support, assembly, pair));
   PetscCall(PairSetShares_Private(level, pair));
   pair->M            = sums->M;

@@ -60,6 +60,32 @@ static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, con
   return most;
 }
 
+/* Bulges of a facet of first order. Its vertices that hang are below the curve: bulges are those of the facet
+   between places on the curve, and the rise of these. Returns whether any is not zero. [in,out] X - of the
+   vertices, then on the curve */
+static PetscBool SmoothGapRiseFacet_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal X[],
+                                            const PetscReal N[], PetscReal bulge[])
+{
+  const ElementType type = facets->type[f], high = ElementOfOrder(type, 2);
+  const PetscInt    dim = level->dim, num = ElementNumNodes(type);
+  PetscReal         phi[ELEMENT_MAX_NODES], rise[3 * F];
+  PetscBool         any;
+
+  for (PetscInt i = 0; i < num * dim; i++) {
+    rise[i] = level->hanging.rise[facets->nodes[f * F + i / dim] * dim + i % dim];
+    X[i] += rise[i];
+  }
+  any = ArcBulge(type, X, N, bulge);
+  for (PetscInt k = 0; k < ElementNumNodes(high); k++) {
+    ElementShape(type, ElementNode(high, k), phi, NULL);
+    for (PetscInt i = 0; i < num * dim; i++) {
+      bulge[k * dim + i % dim] += phi[i / dim] * rise[i];
+      any = (PetscBool)(any || rise[i] != 0);
+    }
+  }
+  return any;
+}
+
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
                                PetscBool polygonal, PetscReal **bulges, PetscReal *left)
 {
@@ -81,7 +107,10 @@ PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets
     if (polygonal && ElementOrder(type) == 1)
       largest[0] = PetscMax(largest[0], SmoothGapPolygonError_Private(dim, type, X, N));
     if (polygonal && ElementOrder(type) == 1) continue;
-    any        = ArcBulge(ElementLinear(type), X, N, bulge);
+    if (level->hanging.rise && ElementOrder(type) == 1)
+      any = SmoothGapRiseFacet_Private(level, facets, f, X, N, bulge);
+    else
+      any = ArcBulge(ElementLinear(type), X, N, bulge);
     largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, bulge));
     if (!any || ElementOrder(type) > 1) continue;
     largest[1] = 1;
@@ -90,18 +119,6 @@ PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPIU_MAX, level->comm));
   *left = largest[0];
   if (largest[1] == 0) PetscCall(PetscFree(*bulges));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode SmoothGapCreateMortar(PetscInt dim, MortarSurface *mortar)
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(mortar->num * F * dim, &mortar->bulges));
-  for (PetscInt f = 0; f < mortar->num; f++) {
-    if (ElementOrder(mortar->type[f]) > 1) continue;
-    (void)ArcBulge(mortar->type[f], &mortar->coords[f * F * dim], &mortar->normals[f * F * dim],
-                   &mortar->bulges[f * F * dim]);
-  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -4,7 +4,8 @@
 
 #include "contact/overlappoints.h"
 
-/* Bulges of the curves over the edges of a side's facets (ArcBulge()); none for facets of second order.
+/* Bulges of the curves over the edges of a side's facets (ArcBulge()), and at vertices that hang on an edge;
+   none for facets of second order.
    Collective.
    [in] shape - of the facets
    [out] bulges - owned by the caller [num][ELEMENT_MAX_FACET_NODES][dim]; NULL where no rank has one, the
@@ -12,8 +13,6 @@
    [out] left - largest error of gaps that remains */
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
                                PetscBool polygonal, PetscReal **bulges, PetscReal *left);
-/* The same for the mortar facets on this rank. Not collective. */
-PetscErrorCode SmoothGapCreateMortar(PetscInt dim, MortarSurface *mortar);
 
 /* Changes the gaps of a facet's points to those between the curves; returns the largest change.
    Not collective.

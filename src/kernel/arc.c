@@ -61,11 +61,11 @@ PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], P
 PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[])
 {
   const ElementType curved = ElementOfOrder(type, 2);
-  const PetscInt    dim = ElementDim(type) + 1, num = ElementNumNodes(type), num_all = ElementNumNodes(curved);
-  PetscReal         phi[ELEMENT_MAX_NODES], rise = 0;
+  const PetscInt    dim = ElementDim(type) + 1, num = ElementNumNodes(curved);
+  PetscReal         phi[ELEMENT_MAX_NODES], rise    = 0;
 
   ElementShape(curved, xi, phi, NULL);
-  for (PetscInt i = num; i < num_all; i++) {
+  for (PetscInt i = 0; i < num; i++) {
     for (PetscInt k = 0; k < dim; k++) rise += phi[i] * bulge[i * dim + k] * n[k];
   }
   return rise;

@@ -19,7 +19,8 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
    [out] bulge - [nodes of the facet of second order][dim] */
 PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[]);
 
-/* This offset at xi, along a direction. Not collective. [in] type - of first order; n - [dim] */
+/* This offset at xi, along a direction. Not collective. [in] type - of first order; bulge - also at vertices;
+   n - [dim] */
 PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[]);
 
 #endif

@@ -42,7 +42,7 @@ PetscErrorCode BisectionGrow(Bisection *mesh)
     PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->facet), &mesh->facet));
     PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->generation), &mesh->generation));
     PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->parent), &mesh->parent));
-    PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->place), &mesh->place));
+    PetscCall(PetscRealloc(mesh->room_cells * mesh->corners * mesh->corners * sizeof(*mesh->place), &mesh->place));
     PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->marks), &mesh->marks));
     PetscCall(PetscRealloc(mesh->room_cells * sizeof(*mesh->goal), &mesh->goal));
   }
@@ -59,6 +59,11 @@ PetscErrorCode BisectionGetMiddle(Bisection *mesh, EdgeTable *middles, PetscInt 
   mesh->ends[*middle][1] = PetscMax(a, b);
   PetscCall(EdgeTableAdd(middles, a, b, *middle));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscReal *BisectionGetPlace(const Bisection *mesh, PetscInt cell, PetscInt vertex)
+{
+  return &mesh->place[(cell * mesh->corners + vertex) * mesh->corners];
 }
 
 PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell)
@@ -127,12 +132,13 @@ static void BisectionSetChild_Private(Bisection *mesh, PetscInt cell, PetscInt k
     vertex[i] = k == w ? middle : mesh->vertex[cell][k];
     facet[i]  = k == keep ? -1 : mesh->facet[cell][k];
     for (PetscInt j = 0; j < num; j++)
-      place[i][j] = k == w ? (mesh->place[cell][0][j] + mesh->place[cell][1][j]) / 2 : mesh->place[cell][k][j];
+      place[i][j] = k == w ? (BisectionGetPlace(mesh, cell, 0)[j] + BisectionGetPlace(mesh, cell, 1)[j]) / 2
+                           : BisectionGetPlace(mesh, cell, k)[j];
   }
   for (PetscInt i = 0; i < num; i++) {
     mesh->vertex[child][i] = vertex[i];
     mesh->facet[child][i]  = facet[i];
-    for (PetscInt j = 0; j < num; j++) mesh->place[child][i][j] = place[i][j];
+    for (PetscInt j = 0; j < num; j++) BisectionGetPlace(mesh, child, i)[j] = place[i][j];
   }
   mesh->generation[child] = mesh->generation[cell] + 1;
   mesh->goal[child]       = mesh->goal[cell];
@@ -194,13 +200,14 @@ static PetscErrorCode BisectionClose_Private(Bisection *mesh, Cuts *cuts)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moves values of cells to new places. [in] to - of every cell [num_cells] */
-#define PERMUTE(mesh, array, to)                                                                                       \
+/* Moves values of cells to new places. [in] num - of values for each cell; to - of every cell [num_cells] */
+#define PERMUTE(mesh, array, num, to)                                                                                  \
   do {                                                                                                                 \
     void *sorted;                                                                                                      \
-    PetscCall(PetscMalloc((mesh)->room_cells * sizeof(*(array)), &sorted));                                            \
+    PetscCall(PetscMalloc((mesh)->room_cells *(num) * sizeof(*(array)), &sorted));                                     \
     for (PetscInt c = 0; c < (mesh)->num_cells; c++)                                                                   \
-      PetscCall(PetscMemcpy((char *)sorted + (size_t)(to)[c] * sizeof(*(array)), &(array)[c], sizeof(*(array))));      \
+      PetscCall(PetscMemcpy((char *)sorted + (size_t)((to)[c] * (num)) * sizeof(*(array)), &(array)[c * (num)],        \
+                            (size_t)(num) * sizeof(*(array))));                                                        \
     PetscCall(PetscFree(array));                                                                                       \
     (array) = sorted;                                                                                                  \
   } while (0)
@@ -216,12 +223,12 @@ PetscErrorCode BisectionSort(Bisection *mesh)
   for (PetscInt c = 0; c < mesh->num_cells; c++) begin[mesh->parent[c] + 1]++;
   for (PetscInt p = 0; p < num_parents; p++) begin[p + 1] += begin[p];
   for (PetscInt c = 0; c < mesh->num_cells; c++) to[c] = begin[mesh->parent[c]]++;
-  PERMUTE(mesh, mesh->vertex, to);
-  PERMUTE(mesh, mesh->facet, to);
-  PERMUTE(mesh, mesh->generation, to);
-  PERMUTE(mesh, mesh->place, to);
-  PERMUTE(mesh, mesh->marks, to);
-  PERMUTE(mesh, mesh->parent, to);
+  PERMUTE(mesh, mesh->vertex, 1, to);
+  PERMUTE(mesh, mesh->facet, 1, to);
+  PERMUTE(mesh, mesh->generation, 1, to);
+  PERMUTE(mesh, mesh->place, mesh->corners * mesh->corners, to);
+  PERMUTE(mesh, mesh->marks, 1, to);
+  PERMUTE(mesh, mesh->parent, 1, to);
   PetscCall(PetscFree(begin));
   PetscCall(PetscFree(to));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -246,7 +253,7 @@ void BisectionSetParents(Bisection *mesh)
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     mesh->parent[c] = c;
     for (PetscInt i = 0; i < mesh->corners; i++) {
-      for (PetscInt j = 0; j < mesh->corners; j++) mesh->place[c][i][j] = i == j;
+      for (PetscInt j = 0; j < mesh->corners; j++) BisectionGetPlace(mesh, c, i)[j] = i == j;
     }
   }
 }
@@ -360,7 +367,7 @@ PetscErrorCode BisectionBegin(PetscInt dim, PetscInt corners, PetscInt num_verti
   PetscCall(PetscMalloc1(mesh->room_cells, &mesh->facet));
   PetscCall(PetscCalloc1(mesh->room_cells, &mesh->generation));
   PetscCall(PetscMalloc1(mesh->room_cells, &mesh->parent));
-  PetscCall(PetscMalloc1(mesh->room_cells, &mesh->place));
+  PetscCall(PetscMalloc1(mesh->room_cells * corners * corners, &mesh->place));
   PetscCall(PetscCalloc1(mesh->room_cells, &mesh->marks));
   PetscCall(PetscMalloc1(mesh->room_cells, &mesh->goal));
   for (PetscInt v = 0; v < num_vertices; v++) mesh->ends[v][0] = mesh->ends[v][1] = -1;

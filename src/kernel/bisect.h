@@ -1,4 +1,5 @@
-/* bisect.h -- conforming bisection of triangles and tetrahedra, and splitting of quadrilaterals.
+/* bisect.h -- conforming bisection of triangles and tetrahedra, and splitting of quadrilaterals and
+   hexahedra.
 
    A cell is halved through the middle of its refinement edge, the one between its first two vertices. In the
    plane the next refinement edge is opposite the newest vertex [1]; in space marks on facets determine it
@@ -17,26 +18,28 @@
 #define MORTISE_BISECT_H
 
 #include "kernel/edgetable.h"
+#include "kernel/element.h"
 
-enum { BISECT_MAX_VERTICES = 4 };
+enum { BISECT_MAX_VERTICES = 8 };
 
 /* A mesh that can be refined. Owned by the caller, BisectionDestroy(). */
 typedef struct {
-  PetscInt dim, corners, num_vertices, num_cells; /* corners: of a cell, dim+1, or 4 of a quadrilateral */
+  PetscInt dim, corners, num_vertices, num_cells; /* corners: of a cell, dim+1 of a simplex */
   PetscInt room_vertices, room_cells;             /* that the arrays have */
 
   PetscInt (*vertex)[BISECT_MAX_VERTICES]; /* the corners of every cell [num_cells] */
   PetscInt (
-      *facet)[BISECT_MAX_VERTICES]; /* the caller's number of the facet opposite each vertex, in a quadrilateral of that
-                                after it, which its halves inherit; -1 between cells [num_cells] */
+      *facet)[BISECT_MAX_VERTICES]; /* the caller's number of the facet opposite each vertex of a simplex, of each facet
+                                of other cells, which its parts inherit; -1 between cells [num_cells] */
   PetscInt *generation;             /* bisections since the beginning [num_cells] */
   PetscInt (
-      *ends)[2]; /* of the edge whose middle a vertex is; -1 for the first ones and middles of cells [num_vertices] */
+      *ends)[2]; /* of the edge whose middle a vertex is; of the middle of a face, the middles of two opposite edges of
+                    it; -1 for the first ones and middles of cells [num_vertices] */
 
   /* The cell before the last BisectionRefine(), and the shape functions of order 1 of each vertex in it, in
-     that cell's order of vertices. These are dyadic, hence exact [num_cells] */
-  PetscInt *parent;
-  PetscReal (*place)[BISECT_MAX_VERTICES][BISECT_MAX_VERTICES];
+     that cell's order of vertices. These are dyadic, hence exact [num_cells][corners][corners] */
+  PetscInt  *parent;
+  PetscReal *place;
 
   unsigned char *marks; /* private: marked edges of facets, in space [num_cells] */
   PetscInt      *goal;  /* private: generation that is asked for [num_cells] */
@@ -50,6 +53,8 @@ typedef struct {
 PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
                                const PetscInt facets[], const PetscReal coords[], Bisection *mesh);
 PetscErrorCode BisectionDestroy(Bisection *mesh);
+/* The shape functions of a vertex of a cell in its parent. Borrowed. Not collective. */
+PetscReal *BisectionGetPlace(const Bisection *mesh, PetscInt cell, PetscInt vertex);
 /* Whether the orientation of a cell's vertices is opposite to that in the first mesh. Not collective. */
 PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell);
 
@@ -61,16 +66,23 @@ PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[]);
    BisectionRefine(). Not collective. */
 PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[]);
 
-/* The same for quadrilaterals, which keep their type. Each marked cell becomes four for each mark. Others
-   are split until two cells with a point in common differ by one splitting at most. So a vertex may hang in
-   the middle of an edge, and the ends of this edge do not hang. The result is the coarsest mesh of this kind.
-   Not collective.
-   [in] cells - vertices around each cell [num_cells][4]; facets - [num_cells][4] */
-PetscErrorCode SplitCreate(PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[], const PetscInt facets[],
-                           Bisection *mesh);
+/* The same for quadrilaterals or hexahedra, which keep their type. Each marked cell becomes four or eight for
+   each mark. Others are split until two cells with a point in common differ by one splitting at most. So a
+   vertex may hang in the middle of an edge or of a face, and the corners of these do not hang. The result is
+   the coarsest mesh of this kind. Not collective.
+   [in] cells - vertices in the order of element.h [num_cells][corners]; facets - [num_cells][corners], of
+   which the first ones count */
+PetscErrorCode SplitCreate(PetscInt dim, PetscInt num_vertices, PetscInt num_cells, const PetscInt cells[],
+                           const PetscInt facets[], Bisection *mesh);
 PetscErrorCode SplitRefine(Bisection *mesh, const PetscInt marked[]);
 PetscErrorCode SplitRefineMore(Bisection *mesh, const PetscInt marked[]);
-/* Vertices in the middles of edges. [out] middles - of all edges that were split, to be destroyed */
+/* What its cells are. */
+ElementType SplitElement(const Bisection *mesh);
+/* Vertices in the middles of edges, and between the middles of edges. [out] middles - of all edges and faces
+   that were split, to be destroyed */
 PetscErrorCode SplitGetMiddles(const Bisection *mesh, EdgeTable *middles);
+/* The vertex in the middle of a face, -1 if it was not split. [in] middles - of SplitGetMiddles(); corner -
+   around the face [4]; [out] middle - of its edges, around it [4], where all have one */
+PetscInt SplitFindFace(const EdgeTable *middles, const PetscInt corner[], PetscInt middle[]);
 
 #endif

@@ -6,6 +6,10 @@
    holds in any basis of the polynomials. In the basis L of the covered part, psi_i = D_i sum_jk L_j(node i)
    (int_cov L L^T)^-1_jk L_k. No digits are lost: L_j(node i) is a value outside of the box, large but exact.
 
+   Beside hanging nodes, functions of the mesh are not those of the facet, and some belong to nodes outside of
+   it. On the facet they span the same polynomials. The value of a polynomial at such a node is that of its
+   continuation: so these functionals, too, are values at places.
+
    On tri6 int phi is zero at vertices, and so would be psi. There the unknowns of edges are u~_e with u_e =
    (1 - 2 a) u~_e + a (u~_v + u~_w) at the ends v and w [3]. The functions phi~ of u~ span the same
    polynomials. All of the above holds for them, with u~_i in place of the value at the node i.
@@ -67,13 +71,22 @@ static void DualLocalShape_Private(const DualBasis *basis, const PetscReal xi[],
   ElementShape(basis->type, zeta, L, NULL);
 }
 
+void DualNodesApply(PetscInt n, const DualNodes *nodes, PetscReal D[])
+{
+  PetscReal sums[DUAL_MAX] = {0.};
+
+  for (PetscInt k = 0; k < n * n; k++) sums[k % n] += nodes->S[k] * D[k / n];
+  for (PetscInt i = 0; i < n; i++) D[i] = sums[i];
+}
+
 /* The functionals that give u~_i, on every L. [out] C - rows, one for each i [n][n] */
-static void DualFunctionals_Private(const DualBasis *basis, PetscReal C[])
+static void DualFunctionals_Private(const DualBasis *basis, const DualNodes *nodes, PetscReal C[])
 {
   const PetscInt  n = ElementNumNodes(basis->type), num_vertices = ElementNumNodes(ElementLinear(basis->type));
   const PetscReal share = DualShare(basis->type);
 
-  for (PetscInt i = 0; i < n; i++) DualLocalShape_Private(basis, ElementNode(basis->type, i), &C[i * n]);
+  for (PetscInt i = 0; i < n; i++)
+    DualLocalShape_Private(basis, nodes ? nodes->place[i] : ElementNode(basis->type, i), &C[i * n]);
   for (PetscInt i = num_vertices; i < n && share > 0.; i++) {
     const PetscInt *ends = ElementEdgeNodes(basis->type, i - num_vertices);
 
@@ -83,7 +96,7 @@ static void DualFunctionals_Private(const DualBasis *basis, PetscReal C[])
 }
 
 PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal xi[], const PetscReal w[],
-                          DualBasis *basis)
+                          const DualNodes *nodes, DualBasis *basis)
 {
   const PetscInt n                      = ElementNumNodes(type);
   PetscReal      M[DUAL_MAX * DUAL_MAX] = {0.}, phi[DUAL_MAX];
@@ -95,6 +108,7 @@ PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal
     DualShape(type, phi);
     for (PetscInt i = 0; i < n; i++) basis->D[i] += w[q] * phi[i];
   }
+  if (nodes) DualNodesApply(n, nodes, basis->D);
   if (!DualFindBox_Private(ElementDim(type), num_points, xi, basis)) return PETSC_FALSE;
   /* Full coverage and cut facets are the same case here: the points lie on what is covered [2]. */
   for (PetscInt q = 0; q < num_points; q++) {
@@ -104,7 +118,7 @@ PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal
     }
   }
   if (!DenseCholesky(n, M)) return PETSC_FALSE;
-  DualFunctionals_Private(basis, basis->C);
+  DualFunctionals_Private(basis, nodes, basis->C);
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt j = 0; j < n; j++) basis->C[i * n + j] *= basis->D[i];
     DenseCholeskySolve(n, M, &basis->C[i * n]);

@@ -24,6 +24,13 @@ typedef struct {
   PetscReal   D[DUAL_MAX];            /* int_cov phi_i = int_cov psi_i [n]; may be negative on cut quadratic facets */
 } DualBasis;
 
+/* Functions of a facet beside hanging nodes: phi = S' times its shape functions. A function that belongs to a
+   node outside of the facet takes the slot of one that hangs. */
+typedef struct {
+  PetscReal S[DUAL_MAX * DUAL_MAX]; /* values of the functions at the facet's nodes: a row for each node [n][n] */
+  PetscReal place[DUAL_MAX][2];     /* where the nodes of the functions are, in the facet's coordinates */
+} DualNodes;
+
 /* a: 1/5 on tri6, 0 on the others, where phi~ = phi. */
 PetscReal DualShare(ElementType type);
 /* phi~ from phi: a facet's shape functions at a point, or any sums of them. [in,out] phi - [n] */
@@ -31,9 +38,12 @@ void DualShape(ElementType type, PetscReal phi[]);
 
 /* Creates the basis from weighted points on the facet's reference cell. Returns PETSC_FALSE where shape
    functions are dependent at these points; D is set all the same. Not collective.
-   [in] xi - [num_points][2], unused coordinates ignored; [in] w - [num_points] */
+   [in] xi - [num_points][2], unused coordinates ignored; [in] w - [num_points]; [in] nodes - of functions
+   that are not the facet's own, or NULL; not of tri6 */
 PetscBool DualBasisCreate(ElementType type, PetscInt num_points, const PetscReal xi[], const PetscReal w[],
-                          DualBasis *basis);
+                          const DualNodes *nodes, DualBasis *basis);
+/* Integrals of these functions, from those of the facet's own. [in,out] D - [n] */
+void DualNodesApply(PetscInt n, const DualNodes *nodes, PetscReal D[]);
 
 /* psi at a point. [in] xi - [2]; [out] psi - [n] */
 void DualBasisEvaluate(const DualBasis *basis, const PetscReal xi[], PetscReal psi[]);

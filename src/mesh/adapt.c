@@ -162,7 +162,7 @@ static PetscErrorCode ProlongationSetCell_Private(const Tree *tree, PetscInt chi
                                                   const ForestCell *coarse, PetscBool done[], Mat P)
 {
   const PetscInt num = ElementNumNodes((ElementType)coarse->type);
-  PetscReal      weights[FOREST_MAX_NODES * FOREST_MAX_NODES];
+  PetscReal      weights[ELEMENT_MAX_NODES * ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
   TreeWeights(tree, child, fine, coarse, weights);
@@ -189,8 +189,8 @@ static PetscErrorCode MeshForestProlong_Private(MeshForest forest, const ForestC
   PetscCall(MatSetSizes(P, fine->num_owned, coarse->num_owned, PETSC_DETERMINE, PETSC_DETERMINE));
   PetscCall(MatSetType(P, MATAIJ));
   PetscCall(
-      MatSeqAIJSetPreallocation(P, FOREST_MAX_NODES, NULL)); // on several ranks this has no effect, on one the next
-  PetscCall(MatMPIAIJSetPreallocation(P, FOREST_MAX_NODES, NULL, FOREST_MAX_NODES, NULL));
+      MatSeqAIJSetPreallocation(P, ELEMENT_MAX_NODES, NULL)); // on several ranks this has no effect, on one the next
+  PetscCall(MatMPIAIJSetPreallocation(P, ELEMENT_MAX_NODES, NULL, ELEMENT_MAX_NODES, NULL));
   if (forest->num_cells) {
     PetscBool *done;
     PetscInt   first = 0, first_before = 0;

@@ -6,10 +6,10 @@
    long thin cells along a circle need more than three. */
 enum { UNTANGLE_TIMES = 12 };
 
-/* The facet that belongs to a vertex: in a simplex opposite to it, in a quadrilateral the edge after it. */
+/* The facet that belongs to a vertex: opposite to it in a simplex, of the same number in other cells. */
 static PetscInt FacetOfVertex_Private(ElementType linear, PetscInt vertex)
 {
-  if (linear == ELEMENT_QUAD4) return vertex;
+  if (ElementNumNodes(linear) > ElementDim(linear) + 1) return vertex < ElementNumFacets(linear) ? vertex : -1;
   for (PetscInt f = 0; f < ElementNumFacets(linear); f++) {
     const PetscInt *nodes = ElementFacetNodes(linear, f);
     PetscBool       has   = PETSC_FALSE;
@@ -122,40 +122,33 @@ static PetscErrorCode CellMapNodes_Private(const BodyList *list, const SceneBody
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A list of a tree, and its edges that nodes hang on. */
+/* A list of a tree, and its nodes that hang: none in the first list. */
 typedef struct {
   const Tree      *tree;
   const BodyList  *list;
   const SceneBody *body;
-  EdgeTable        hung; /* of TreeGetHung(); empty for the first list */
+  HungNodes        hung;
 } MappedList;
 
-/* Moves the nodes of an edge of a cell to the edge that they hang on, where they do.
+/* Moves the nodes of a cell that hang to where they hang.
    [in,out] X - of the cell, as one of the given type [nodes of type][dim] */
-static PetscErrorCode CellHangEdge_Private(const MappedList *mapped, PetscInt cell, ElementType type, PetscInt e,
-                                           PetscReal X[])
+static PetscErrorCode CellHangNodes_Private(const MappedList *mapped, PetscInt cell, ElementType type, PetscReal X[])
 {
-  const BodyList *list  = mapped->list;
-  const PetscInt *local = ElementEdgeNodes(type, e), *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
-  const PetscInt  ends[2] = {nodes[local[0]], nodes[local[1]]}, dim = list->dim, corners = mapped->tree->mesh.corners;
-  const PetscInt  order = ElementOrder(type);
-  PetscReal       Y[3 * ELEMENT_MAX_NODES], phi[ELEMENT_MAX_NODES];
-  PetscInt        middle, whole = TreeFindHalf(mapped->tree, &mapped->hung, ends, &middle);
-  PetscBool       finite, last;
+  const PetscInt dim = mapped->list->dim;
 
   PetscFunctionBeginUser;
-  if (whole < 0) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(CellMapNodes_Private(list, mapped->body, whole / corners, type, Y, &finite));
-  last = (PetscBool)(list->cell_nodes[whole / corners * ELEMENT_MAX_NODES + whole % corners] != ends[1 - middle]);
-  for (PetscInt i = 0; i < order; i++) { // the middle of that edge, then a quarter of it
-    const PetscReal place  = i ? (last ? 0.75 : 0.25) : 0.5;
-    const PetscInt  from[] = {whole % corners, (whole + 1) % corners, corners + whole % corners};
-    PetscReal      *x      = &X[(i ? corners + e : local[middle]) * dim];
+  for (PetscInt k = 0; k < ElementNumNodes(type); k++) {
+    const PetscInt found = HungNodesFind(&mapped->hung, cell, k);
+    PetscReal      Y[3 * ELEMENT_MAX_NODES], phi[ELEMENT_MAX_NODES];
+    PetscInt       num, local[ELEMENT_MAX_NODES];
+    PetscBool      finite;
 
-    ElementShape(order > 1 ? ELEMENT_LINE3 : ELEMENT_LINE2, &place, phi, NULL);
+    if (found < 0) continue;
+    PetscCall(CellMapNodes_Private(mapped->list, mapped->body, mapped->hung.node[found].cell, type, Y, &finite));
+    HungNodeShape(&mapped->hung.node[found], type, &num, local, phi);
     for (PetscInt d = 0; d < dim; d++) {
-      x[d] = 0;
-      for (PetscInt k = 0; k <= order; k++) x[d] += phi[k] * Y[from[k] * dim + d];
+      X[k * dim + d] = 0;
+      for (PetscInt i = 0; i < num; i++) X[k * dim + d] += phi[i] * Y[local[i] * dim + d];
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -172,8 +165,7 @@ static PetscErrorCode CellMinJacobian_Private(const MappedList *mapped, PetscInt
 
   PetscFunctionBeginUser;
   PetscCall(CellMapNodes_Private(list, mapped->body, cell, type, X, &finite));
-  for (PetscInt e = 0; e < ElementNumEdges(type) && mapped->hung.num && finite; e++)
-    PetscCall(CellHangEdge_Private(mapped, cell, type, e, X));
+  if (mapped->hung.num && finite) PetscCall(CellHangNodes_Private(mapped, cell, type, X));
   for (PetscInt k = 0; k < ElementNumNodes(type); k++) order[k] = k;
   if (mapped->tree->reversed) CellReverse(type, order);
   for (PetscInt k = 0; k < ElementNumNodes(type); k++)
@@ -201,11 +193,10 @@ static PetscErrorCode TreeSetSense_Private(Tree *tree, const SceneBody *body)
 
 PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree)
 {
-  const PetscBool kept =
-      (PetscBool)(list->num_cells && ElementLinear((ElementType)list->cell_type[0]) == ELEMENT_QUAD4);
-  const PetscInt num = kept ? 4 : list->dim + 1;
-  PetscInt      *cells, *facets;
-  PetscReal     *coords;
+  const PetscInt  num  = list->num_cells ? ElementNumNodes(ElementLinear((ElementType)list->cell_type[0])) : 0;
+  const PetscBool kept = (PetscBool)(num > list->dim + 1);
+  PetscInt       *cells, *facets;
+  PetscReal      *coords;
 
   PetscFunctionBeginUser;
   *tree = (Tree){.list = *list};
@@ -218,7 +209,7 @@ PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, Bo
   PetscCall(TreeNumberFacets_Private(tree, num, facets));
   PetscCall(BodyListMapVertices(&tree->list, &scene->bodies[body], coords));
   if (kept)
-    PetscCall(SplitCreate(tree->list.num_vertices, tree->list.num_cells, cells, facets, &tree->mesh));
+    PetscCall(SplitCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets, &tree->mesh));
   else
     PetscCall(BisectionCreate(tree->list.dim, tree->list.num_vertices, tree->list.num_cells, cells, facets, coords,
                               &tree->mesh));
@@ -268,7 +259,7 @@ static void ChildNodePlace_Private(const Child *child, ElementType type, PetscIn
     for (PetscInt j = 0; j < num; j++) {
       const PetscReal *corner = ElementNode(linear, PlaceOf_Private(num, child->parent, child->before[j]));
 
-      for (PetscInt d = 0; d < mesh->dim; d++) xi[d] += share * mesh->place[child->cell][i][j] * corner[d];
+      for (PetscInt d = 0; d < mesh->dim; d++) xi[d] += share * BisectionGetPlace(mesh, child->cell, i)[j] * corner[d];
     }
   }
 }
@@ -342,7 +333,7 @@ static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody 
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
-  PetscCall(TreeGetHung(tree, &mapped.hung));
+  PetscCall(HungNodesCreate(tree, list->cell_nodes, ELEMENT_MAX_NODES, &mapped.hung));
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     PetscBool same;
     PetscReal jacobian;
@@ -354,7 +345,7 @@ static PetscErrorCode TreeMarkTangled_Private(const Tree *tree, const SceneBody 
     marked[c] = jacobian <= 0;
     *any      = (PetscBool)(*any || marked[c]);
   }
-  PetscCall(EdgeTableDestroy(&mapped.hung));
+  PetscCall(HungNodesDestroy(&mapped.hung));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -9,14 +9,12 @@
 #include "kernel/bisect.h"
 #include "mesh/meshimpl.h"
 
-enum { FOREST_MAX_NODES = 10 }; /* of a tetrahedron of order 2; nine of a quadrilateral */
-
 /* What the first rank knows of a cell of a level. */
 typedef struct {
-  PetscInt cell;                          /* in the lists, body after body */
-  PetscInt vertex[BISECT_MAX_VERTICES];   /* in the lists of all bodies, in the order of the level */
-  PetscInt type, nodes[FOREST_MAX_NODES]; /* global nodes of the level */
-  PetscInt age;                           /* Level.cell_age */
+  PetscInt cell;                           /* in the lists, body after body */
+  PetscInt vertex[BISECT_MAX_VERTICES];    /* in the lists of all bodies, in the order of the level */
+  PetscInt type, nodes[ELEMENT_MAX_NODES]; /* global nodes of the level */
+  PetscInt age;                            /* Level.cell_age */
   PetscInt inner; /* bits of its facets, in the order of the level: beside hanging nodes, in the body */
 } ForestCell;
 
@@ -73,20 +71,46 @@ PetscErrorCode MeshForestDestroy(MeshForest *forest);
 /* The DM of the latest lists, all of it on the first rank. Collective.
    [out] dm, curves - owned by the caller */
 PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *curves);
-/* Edges of cells whose middle hangs. [out] hung - the number of the edge in its cell behind corners times the
-   cell's, to be destroyed */
-PetscErrorCode TreeGetHung(const Tree *tree, EdgeTable *hung);
-/* The hung edge that an edge is a half of: its number there, or -1. [out] middle - which end hangs, 0 or 1 */
-PetscInt TreeFindHalf(const Tree *tree, const EdgeTable *hung, const PetscInt ends[2], PetscInt *middle);
-/* Which nodes of the latest level hang: level->conforming, level->inner. Moves them to the edges that they
-   hang on. Its cells are not reversed yet. Collective. */
+/* Which nodes of the latest level hang: level->conforming, level->inner. Moves them to the edges and
+   faces that they hang on. Its cells are not reversed yet. Collective. */
 PetscErrorCode MeshForestSetHanging(MeshForest forest, Level *level);
 /* Gathers the cells and nodes of the level of the latest lists on the first rank. Collective.
    [in] origin - of PartitionDistribute() */
 PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[]);
 
-/* A body's tree of simplices, or of quadrilaterals that are kept. [in] names - of the list's sides; [in,out]
-   list - taken over, empty afterwards */
+/* A node of small cells on an edge or a face of a larger cell. */
+typedef struct {
+  PetscInt  cell, dim, entity; /* the larger one; 1 or 2; the number of its edge or facet */
+  PetscReal place[2];          /* reference coordinates in this edge or facet */
+} HungNode;
+
+/* All of them in a tree whose cells are kept: vertices, and nodes of order 2 in the middle of small edges and
+   faces. Edges are found by their ends, faces by a diagonal. */
+typedef struct {
+  const Bisection *mesh;
+  PetscInt         num, room;
+  HungNode        *node;       /* [num] */
+  PetscInt        *vertex;     /* number of each vertex that hangs, else -1 [mesh->num_vertices] */
+  EdgeTable        edge, face; /* numbers of nodes in the middle of small ones */
+  EdgeTable        facet;      /* those with cells on one side alone: edges in the plane, faces in space */
+  const PetscInt  *first;      /* vertices of the first cell */
+  PetscInt         stride;     /* from cell to cell */
+} HungNodes;
+
+/* Nothing hangs in a tree of simplices. Not collective. [in] first - vertices of the first cell, in the order
+   of its element; stride - from cell to cell */
+PetscErrorCode HungNodesCreate(const Tree *tree, const PetscInt first[], PetscInt stride, HungNodes *hung);
+PetscErrorCode HungNodesDestroy(HungNodes *hung);
+/* The number of a cell's node, of order 1 or 2, or -1 if it does not hang. */
+PetscInt HungNodesFind(const HungNodes *hung, PetscInt cell, PetscInt node);
+/* Whether a facet of a cell, beside hanging nodes, has a cell on one side alone. */
+PetscBool HungNodesHasFacet(const HungNodes *hung, PetscInt cell, PetscInt facet);
+/* Shape functions of the edge or facet that a node hangs on. [in] type - of the larger cell; [out] local -
+   its nodes there, phi - their functions [*num] */
+void HungNodeShape(const HungNode *node, ElementType type, PetscInt *num, PetscInt local[], PetscReal phi[]);
+
+/* A body's tree of simplices, or of quadrilaterals or hexahedra that are kept. [in] names - of the list's
+   sides; [in,out] list - taken over, empty afterwards */
 PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree);
 PetscErrorCode TreeDestroy(Tree *tree);
 /* Whether its cells are split and keep their type. */
@@ -107,7 +131,7 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list);
 void TreeWeights(const Tree *tree, PetscInt child, const ForestCell *fine, const ForestCell *coarse,
                  PetscReal weights[]);
 
-/* Whether a list's cells can be split: all are quadrilaterals. */
+/* Whether a list's cells can be split: all are quadrilaterals, or all hexahedra. */
 PetscBool BodyListCanSplit(const BodyList *list);
 /* Cuts quadrilaterals at their shorter diagonal, and hexahedra so that each face is cut at its lowest vertex:
    then neighbours match. [in,out] list; [out] cut - whether there were such cells */

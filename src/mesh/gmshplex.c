@@ -27,13 +27,11 @@ static void MiddleSet_Private(ElementType type, const PetscInt local[], const Pe
   }
 }
 
-/* Cells that share a facet compute the same position there, so each may have a node of its own. */
-void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list)
+void CellPlaceMiddles(PetscInt cell, PetscInt num, BodyList *list)
 {
   const ElementType type  = (ElementType)list->cell_type[cell];
-  PetscInt         *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
+  const PetscInt   *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
 
-  for (PetscInt i = num; i < ElementNumNodes(type); i++) nodes[i] = list->num_nodes++;
   for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
     const PetscInt *local  = ElementFacetNodes(type, f);
     const PetscInt  middle = local[ElementNumNodes(ElementFacetType(type)) - 1];
@@ -41,6 +39,16 @@ void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list)
     if (middle >= num) MiddleSet_Private(ElementFacetType(type), local, nodes, nodes[middle], list);
   }
   if (num < ElementNumNodes(type)) MiddleSet_Private(type, NULL, nodes, nodes[ElementNumNodes(type) - 1], list);
+}
+
+/* Cells that share a facet compute the same position there, so each may have a node of its own. */
+void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list)
+{
+  const ElementType type = (ElementType)list->cell_type[cell];
+
+  for (PetscInt i = num; i < ElementNumNodes(type); i++)
+    list->cell_nodes[cell * ELEMENT_MAX_NODES + i] = list->num_nodes++;
+  CellPlaceMiddles(cell, num, list);
 }
 
 /* The nodes first .. end-1 of a cell. [in,out] number - of the file's nodes in the list, -1 before */

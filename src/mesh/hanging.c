@@ -1,136 +1,233 @@
-/* hanging.c -- nodes that hang on an edge of a larger cell.
+/* hanging.c -- nodes that hang on an edge or a face of a larger cell.
 
-   Where a cell was split and its neighbour was not, the middle of their edge is a vertex of the small cells
-   alone. A function is continuous there if nodes of the small cells on this edge have the values of the large
-   one. The ends of the edge do not hang (bisect.h), so that these values are those of free nodes. */
+   Where a cell was split and its neighbour was not, the middle of their edge or face is a vertex of the small
+   cells alone. A function is continuous there if nodes of the small cells on this edge or face have the
+   values of the large one. Its corners do not hang (bisect.h), so that these values are those of free
+   nodes. */
 #include "mesh/forest.h"
 #include "base/compat.h"
 
-enum { PARTS = 2 };
+enum { FACE = 4 }; /* corners of a face, and its edges */
 
-PetscErrorCode TreeGetHung(const Tree *tree, EdgeTable *hung)
+/* Distances of hanging nodes from a curve, over the size of their edge, that are roundoff. */
+static const PetscReal EDGE_ROUNDING = 1e-11;
+
+static const PetscInt *HungNodesVertices_Private(const HungNodes *hung, PetscInt cell)
 {
-  const Bisection *mesh = &tree->mesh;
-  EdgeTable        middles;
+  return &hung->first[cell * hung->stride];
+}
+
+/* Appends a node. [in] at - [dim]; [out] number */
+static PetscErrorCode HungNodesAppend_Private(HungNodes *hung, PetscInt cell, PetscInt dim, PetscInt entity,
+                                              const PetscReal at[], PetscInt *number)
+{
+  PetscFunctionBeginUser;
+  if (hung->num == hung->room) {
+    hung->room = 2 * hung->room + 64;
+    PetscCall(PetscRealloc((size_t)hung->room * sizeof(HungNode), &hung->node));
+  }
+  *number             = hung->num++;
+  hung->node[*number] = (HungNode){.cell = cell, .dim = dim, .entity = entity};
+  for (PetscInt k = 0; k < dim; k++) hung->node[*number].place[k] = at[k];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The nodes on an edge with a vertex in its middle. */
+static PetscErrorCode HungNodesAddEdge_Private(HungNodes *hung, PetscInt cell, PetscInt e, const PetscInt ends[],
+                                               PetscInt middle)
+{
+  PetscReal place = 0.5;
+  PetscInt  number;
 
   PetscFunctionBeginUser;
-  *hung = (EdgeTable){.room = 0};
+  PetscCall(HungNodesAppend_Private(hung, cell, 1, e, &place, &hung->vertex[middle]));
+  for (PetscInt i = 0; i < 2; i++) {
+    place = 0.25 + 0.5 * (PetscReal)i;
+    PetscCall(HungNodesAppend_Private(hung, cell, 1, e, &place, &number));
+    PetscCall(EdgeTableAdd(&hung->edge, ends[i], middle, number));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The nodes inside of a face with a vertex in its middle. [in] corner, of_edge - its corners and the middles
+   of its edges, around it [4] */
+static PetscErrorCode HungNodesAddFace_Private(HungNodes *hung, PetscInt cell, PetscInt f, const PetscInt corner[],
+                                               const PetscInt of_edge[], PetscInt middle)
+{
+  const PetscReal *centre = ElementNode(ELEMENT_QUAD9, ElementNumNodes(ELEMENT_QUAD9) - 1);
+  PetscReal        place[2];
+  PetscInt         number;
+
+  PetscFunctionBeginUser;
+  PetscCall(HungNodesAppend_Private(hung, cell, 2, f, centre, &hung->vertex[middle]));
+  for (PetscInt k = 0; k < 2 * FACE; k++) { // towards a corner, or the middle of an edge
+    for (PetscInt d = 0; d < 2; d++) place[d] = (centre[d] + ElementNode(ELEMENT_QUAD9, k)[d]) / 2;
+    PetscCall(HungNodesAppend_Private(hung, cell, 2, f, place, &number));
+    PetscCall(
+        EdgeTableAdd(k < FACE ? &hung->face : &hung->edge, k < FACE ? corner[k] : of_edge[k - FACE], middle, number));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds what hangs on the edges of a cell. [in,out] seen - edges of other cells */
+static PetscErrorCode HungNodesAddEdges_Private(HungNodes *hung, const EdgeTable *middles, PetscInt cell,
+                                                EdgeTable *seen)
+{
+  const ElementType type   = SplitElement(hung->mesh);
+  const PetscInt   *vertex = HungNodesVertices_Private(hung, cell);
+
+  PetscFunctionBeginUser;
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
+    const PetscInt *local = ElementEdgeNodes(type, e), ends[2] = {vertex[local[0]], vertex[local[1]]};
+    const PetscInt  middle = EdgeTableFind(middles, ends[0], ends[1]);
+
+    if (middle < 0 || EdgeTableFind(seen, ends[0], ends[1]) >= 0) continue;
+    PetscCall(EdgeTableAdd(seen, ends[0], ends[1], e));
+    PetscCall(HungNodesAddEdge_Private(hung, cell, e, ends, middle));
+    if (hung->mesh->dim > 2) continue;
+    PetscCall(EdgeTableAdd(&hung->facet, ends[0], ends[1], e));
+    for (PetscInt i = 0; i < 2; i++) PetscCall(EdgeTableAdd(&hung->facet, ends[i], middle, e));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds what hangs on the faces of a hexahedron. */
+static PetscErrorCode HungNodesAddFaces_Private(HungNodes *hung, const EdgeTable *middles, PetscInt cell)
+{
+  const PetscInt *vertex = HungNodesVertices_Private(hung, cell);
+
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < ElementNumFacets(ELEMENT_HEX8) && hung->mesh->dim == 3; f++) {
+    const PetscInt *local = ElementFacetNodes(ELEMENT_HEX8, f);
+    PetscInt        corner[FACE], of_edge[FACE], middle;
+
+    for (PetscInt i = 0; i < FACE; i++) corner[i] = vertex[local[i]];
+    middle = SplitFindFace(middles, corner, of_edge);
+    if (middle < 0) continue;
+    PetscCall(HungNodesAddFace_Private(hung, cell, f, corner, of_edge, middle));
+    PetscCall(EdgeTableAdd(&hung->facet, corner[0], corner[2], f));
+    for (PetscInt i = 0; i < FACE; i++) PetscCall(EdgeTableAdd(&hung->facet, corner[i], middle, f));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode HungNodesCreate(const Tree *tree, const PetscInt first[], PetscInt stride, HungNodes *hung)
+{
+  const Bisection *mesh = &tree->mesh;
+  EdgeTable        middles, seen = {.room = 0};
+
+  PetscFunctionBeginUser;
+  *hung = (HungNodes){.mesh = mesh, .first = first, .stride = stride};
   if (!TreeIsKept(tree)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(mesh->num_vertices, &hung->vertex));
+  for (PetscInt v = 0; v < mesh->num_vertices; v++) hung->vertex[v] = -1;
   PetscCall(SplitGetMiddles(mesh, &middles));
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
-    for (PetscInt k = 0; k < mesh->corners; k++) {
-      const PetscInt a = mesh->vertex[c][k], b = mesh->vertex[c][(k + 1) % mesh->corners];
-
-      if (EdgeTableFind(&middles, a, b) >= 0) PetscCall(EdgeTableAdd(hung, a, b, c * mesh->corners + k));
-    }
+    PetscCall(HungNodesAddEdges_Private(hung, &middles, c, &seen));
+    PetscCall(HungNodesAddFaces_Private(hung, &middles, c));
   }
+  PetscCall(EdgeTableDestroy(&seen));
   PetscCall(EdgeTableDestroy(&middles));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscInt TreeFindHalf(const Tree *tree, const EdgeTable *hung, const PetscInt ends[2], PetscInt *middle)
+PetscErrorCode HungNodesDestroy(HungNodes *hung)
 {
-  for (*middle = 0; *middle < 2; (*middle)++) {
-    const PetscInt *whole = tree->mesh.ends[ends[*middle]], other = ends[1 - *middle];
-    const PetscInt  found = other == whole[0] || other == whole[1] ? EdgeTableFind(hung, whole[0], whole[1]) : -1;
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(hung->node));
+  PetscCall(PetscFree(hung->vertex));
+  PetscCall(EdgeTableDestroy(&hung->edge));
+  PetscCall(EdgeTableDestroy(&hung->face));
+  PetscCall(EdgeTableDestroy(&hung->facet));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
 
-    if (found >= 0) return found;
+/* What a table has for a face, by one of its diagonals, or -1. */
+static PetscInt FaceFind_Private(const EdgeTable *table, const PetscInt vertex[], PetscInt facet)
+{
+  const PetscInt *local = ElementFacetNodes(ELEMENT_HEX8, facet);
+  const PetscInt  found = EdgeTableFind(table, vertex[local[0]], vertex[local[2]]);
+
+  return found < 0 ? EdgeTableFind(table, vertex[local[1]], vertex[local[3]]) : found;
+}
+
+PetscInt HungNodesFind(const HungNodes *hung, PetscInt cell, PetscInt node)
+{
+  const ElementType type    = SplitElement(hung->mesh);
+  const PetscInt    corners = hung->mesh->corners, edges = ElementNumEdges(type);
+  const PetscInt   *vertex = HungNodesVertices_Private(hung, cell);
+
+  if (!hung->num) return -1;
+  if (node < corners) return hung->vertex[vertex[node]];
+  if (node < corners + edges) {
+    const PetscInt *ends = ElementEdgeNodes(type, node - corners);
+
+    return EdgeTableFind(&hung->edge, vertex[ends[0]], vertex[ends[1]]);
   }
-  return -1;
+  if (type == ELEMENT_QUAD4 || node == corners + edges + ElementNumFacets(type)) return -1; // inside the cell
+  return FaceFind_Private(&hung->face, vertex, node - corners - edges);
 }
 
-/* The nodes of a tree's cells: of vertices, and of the middles of edges in cells of order 2. */
-typedef struct {
-  PetscInt *vertex; /* [mesh.num_vertices] */
-  EdgeTable edge;
-} TreeNodes;
-
-/* [in] cells - of the tree on its level; [out] nodes - global */
-static PetscErrorCode TreeNodesCreate_Private(const Tree *tree, const ForestCell cells[], TreeNodes *nodes)
+PetscBool HungNodesHasFacet(const HungNodes *hung, PetscInt cell, PetscInt facet)
 {
-  PetscFunctionBeginUser;
-  nodes->edge = (EdgeTable){.room = 0};
-  PetscCall(PetscMalloc1(tree->mesh.num_vertices, &nodes->vertex));
-  for (PetscInt c = 0; c < tree->mesh.num_cells; c++) {
-    const ElementType type   = (ElementType)cells[c].type;
-    const PetscInt   *vertex = cells[c].vertex;
+  const PetscInt *vertex = HungNodesVertices_Private(hung, cell),
+                 *local  = ElementFacetNodes(ELEMENT_QUAD4, facet % FACE);
 
-    for (PetscInt i = 0; i < tree->mesh.corners; i++) nodes->vertex[vertex[i]] = cells[c].nodes[i];
-    for (PetscInt e = 0; e < ElementNumEdges(type) && ElementOrder(type) > 1; e++) {
-      const PetscInt *ends = ElementEdgeNodes(type, e);
+  if (hung->mesh->dim == 3) return (PetscBool)(FaceFind_Private(&hung->facet, vertex, facet) >= 0);
+  return (PetscBool)(EdgeTableFind(&hung->facet, vertex[local[0]], vertex[local[1]]) >= 0);
+}
 
-      PetscCall(EdgeTableAdd(&nodes->edge, vertex[ends[0]], vertex[ends[1]], cells[c].nodes[tree->mesh.corners + e]));
-    }
+void HungNodeShape(const HungNode *node, ElementType type, PetscInt *num, PetscInt local[], PetscReal phi[])
+{
+  const ElementType line = ElementOfOrder(ELEMENT_LINE2, ElementOrder(type));
+  const ElementType on   = node->dim == 1 ? line : ElementFacetType(type);
+
+  *num = ElementNumNodes(on);
+  ElementShape(on, node->place, phi, NULL); // places are dyadic: zeros are exact
+  for (PetscInt i = 0; i < *num; i++) {
+    if (node->dim == 2)
+      local[i] = ElementFacetNodes(type, node->entity)[i];
+    else
+      local[i] = i < 2 ? ElementEdgeNodes(type, node->entity)[i] : ElementNumNodes(ElementLinear(type)) + node->entity;
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode TreeNodesDestroy_Private(TreeNodes *nodes)
+/* Sets the row of a node. [in] cells - of the tree on its level */
+static PetscErrorCode HangingSetRow_Private(Mat S, const HungNode *hung, const ForestCell cells[], PetscInt node)
 {
-  PetscFunctionBeginUser;
-  PetscCall(PetscFree(nodes->vertex));
-  PetscCall(EdgeTableDestroy(&nodes->edge));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Sets the row of a node at a place of an edge, from 0 to 1.
-   [in] from - nodes of the edge; [in,out] hanging - by global node */
-static PetscErrorCode HangingSetRow_Private(Mat S, ElementType type, const PetscInt from[], PetscReal place,
-                                            PetscInt node, PetscBool hanging[])
-{
-  PetscReal phi[ELEMENT_MAX_NODES];
+  const ForestCell *whole = &cells[hung->cell];
+  PetscReal         phi[ELEMENT_MAX_NODES];
+  PetscInt          num, local[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  ElementShape(type, &place, phi, NULL);
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++)
-    if (phi[i] != 0)
-      PetscCall(MatSetValue(S, node, from[i], phi[i], INSERT_VALUES)); // places are dyadic: zeros are exact
-  hanging[node] = PETSC_TRUE;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Sets the rows of the nodes on an edge whose middle hangs. [in] edge - its ends and its middle, vertices of
-   the tree */
-static PetscErrorCode HangingSetEdge_Private(Mat S, const TreeNodes *nodes, const PetscInt edge[3], PetscBool hanging[])
-{
-  const PetscInt    middle  = EdgeTableFind(&nodes->edge, edge[0], edge[1]);
-  const PetscInt    from[3] = {nodes->vertex[edge[0]], nodes->vertex[edge[1]], middle};
-  const ElementType type    = middle < 0 ? ELEMENT_LINE2 : ELEMENT_LINE3;
-
-  PetscFunctionBeginUser;
-  PetscCall(HangingSetRow_Private(S, type, from, 0.5, nodes->vertex[edge[2]], hanging));
-  for (PetscInt i = 0; i < PARTS && middle >= 0; i++)
-    PetscCall(HangingSetRow_Private(S, type, from, 0.25 + 0.5 * (PetscReal)i,
-                                    EdgeTableFind(&nodes->edge, edge[i], edge[2]), hanging));
+  HungNodeShape(hung, (ElementType)whole->type, &num, local, phi);
+  for (PetscInt i = 0; i < num; i++)
+    if (phi[i] != 0) PetscCall(MatSetValue(S, node, whole->nodes[local[i]], phi[i], INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Sets the rows of all nodes of a tree that hang, and which facets are beside them.
-   [in,out] cells - of the tree on its level */
+   [in,out] cells - of the tree on its level; hanging - by global node */
 static PetscErrorCode HangingSetTree_Private(Mat S, const Tree *tree, ForestCell cells[], PetscBool hanging[])
 {
-  EdgeTable hung;
-  TreeNodes nodes;
+  HungNodes hung;
 
   PetscFunctionBeginUser;
-  PetscCall(TreeGetHung(tree, &hung));
-  PetscCall(TreeNodesCreate_Private(tree, cells, &nodes));
+  PetscCall(HungNodesCreate(tree, cells[0].vertex, (PetscInt)(sizeof(ForestCell) / sizeof(PetscInt)), &hung));
   for (PetscInt c = 0; c < tree->mesh.num_cells && hung.num; c++) {
-    for (PetscInt e = 0; e < tree->mesh.corners; e++) {
-      const PetscInt *local   = ElementEdgeNodes((ElementType)cells[c].type, e);
-      const PetscInt  ends[2] = {cells[c].vertex[local[0]], cells[c].vertex[local[1]]};
-      PetscInt        middle, whole = TreeFindHalf(tree, &hung, ends, &middle);
+    const ElementType type = (ElementType)cells[c].type;
 
-      if (whole >= 0) {
-        const PetscInt edge[3] = {tree->mesh.ends[ends[middle]][0], tree->mesh.ends[ends[middle]][1], ends[middle]};
+    for (PetscInt k = 0; k < ElementNumNodes(type); k++) {
+      const PetscInt found = HungNodesFind(&hung, c, k);
 
-        PetscCall(HangingSetEdge_Private(S, &nodes, edge, hanging));
-      }
-      if (whole >= 0 || EdgeTableFind(&hung, ends[0], ends[1]) >= 0) cells[c].inner |= 1 << e;
+      if (found < 0 || hanging[cells[c].nodes[k]]) continue;
+      hanging[cells[c].nodes[k]] = PETSC_TRUE;
+      PetscCall(HangingSetRow_Private(S, &hung.node[found], cells, cells[c].nodes[k]));
     }
+    for (PetscInt f = 0; f < ElementNumFacets(type); f++)
+      if (HungNodesHasFacet(&hung, c, f)) cells[c].inner |= 1 << f;
   }
-  PetscCall(TreeNodesDestroy_Private(&nodes));
-  PetscCall(EdgeTableDestroy(&hung));
+  PetscCall(HungNodesDestroy(&hung));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -152,13 +249,14 @@ static PetscErrorCode LevelSetInner_Private(MeshForest forest, Level *level)
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
 
-    for (PetscInt e = 0; own[c] >> e; e++) {
-      const PetscInt *local   = ElementEdgeNodes((ElementType)level->cell_type[c], e);
-      const PetscInt  ends[2] = {point[nodes[local[0]]], point[nodes[local[1]]]};
-      PetscInt        facet;
+    for (PetscInt f = 0; own[c] >> f; f++) {
+      const ElementType type  = ElementLinear((ElementType)level->cell_type[c]);
+      const PetscInt   *local = ElementFacetNodes(type, f), num = ElementNumNodes(ElementFacetType(type));
+      PetscInt          vertex[ELEMENT_MAX_FACET_NODES], facet;
 
-      if (!(own[c] >> e & 1)) continue;
-      PetscCall(PointFindFacet(level->dm, first + c, 2, ends, &facet));
+      if (!(own[c] >> f & 1)) continue;
+      for (PetscInt i = 0; i < num; i++) vertex[i] = point[nodes[local[i]]];
+      PetscCall(PointFindFacet(level->dm, first + c, num, vertex, &facet));
       level->inner[facet - begin] = PETSC_TRUE;
     }
   }
@@ -180,32 +278,228 @@ PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moves hanging nodes to the edges that they hang on: in the box they are there, after a map they need not
-   be. */
+/* The distance to where a hanging node was. [in] x - where it was [dim]; [out] rise - [dim] */
+static void LevelGetRise_Private(const Level *level, PetscInt node, const PetscReal x[], PetscReal rise[])
+{
+  const Hanging *hanging = &level->hanging;
+  const PetscInt dim = level->dim, first = hanging->node[hanging->start[node]];
+  const PetscInt last = hanging->node[hanging->start[node + 1] - 1];
+  PetscReal      size = 0, off = 0;
+
+  for (PetscInt d = 0; d < dim; d++) {
+    rise[d] = x[d] - level->coords[node * dim + d];
+    size    = PetscMax(size, PetscAbsReal(level->coords[last * dim + d] - level->coords[first * dim + d]));
+    off     = PetscMax(off, PetscAbsReal(rise[d]));
+  }
+  for (PetscInt d = 0; d < dim && off <= EDGE_ROUNDING * size; d++) rise[d] = 0;
+}
+
+/* Moves hanging nodes to the edges and faces that they hang on: in the box they are there, after a map they
+   need not be. */
 static PetscErrorCode LevelMoveHanging_Private(Level *level)
 {
-  const PetscInt num = level->num_nodes * level->dim;
+  const PetscInt dim = level->dim, num = level->num_nodes * dim;
+  PetscReal     *before;
   PetscScalar   *a;
   Vec            x, local;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, level->dim, &x));
+  PetscCall(PetscMalloc1(num, &before));
+  PetscCall(PetscArraycpy(before, level->coords, num));
+  PetscCall(PetscCalloc1(num, &level->hanging.rise));
+  PetscCall(LevelCreateVec(level, dim, &x));
   PetscCall(VecGetArray(x, &a));
-  for (PetscInt i = 0; i < level->num_owned * level->dim; i++) a[i] = level->coords[i];
+  for (PetscInt i = 0; i < level->num_owned * dim; i++) a[i] = level->coords[i];
   PetscCall(VecRestoreArray(x, &a));
-  PetscCall(LevelConform(level, level->dim, x));
+  PetscCall(LevelConform(level, dim, x));
   PetscCall(VecGhostGetLocalForm(x, &local));
   PetscCall(VecGetArray(local, &a));
   for (PetscInt i = 0; i < num; i++) level->coords[i] = PetscRealPart(a[i]);
   PetscCall(VecRestoreArray(local, &a));
   PetscCall(VecGhostRestoreLocalForm(x, &local));
   PetscCall(VecDestroy(&x));
+  for (PetscInt i = 0; i < level->num_nodes; i++)
+    if (LevelNodeHangs(level, i)) LevelGetRise_Private(level, i, &before[i * dim], &level->hanging.rise[i * dim]);
+  PetscCall(PetscFree(before));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Values of local nodes, by those of their owners. Collective. [in,out] values - [num_nodes][dim] */
+static PetscErrorCode LevelShareValues_Private(Level *level, PetscReal values[])
+{
+  const PetscInt owned = level->num_owned * level->dim, num = level->num_nodes * level->dim;
+  PetscScalar   *a;
+  Vec            x, local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, level->dim, &x));
+  PetscCall(VecGetArray(x, &a));
+  for (PetscInt i = 0; i < owned; i++) a[i] = values[i];
+  PetscCall(VecRestoreArray(x, &a));
+  PetscCall(VecGhostUpdateBegin(x, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(x, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(x, &local));
+  PetscCall(VecGetArray(local, &a));
+  for (PetscInt i = 0; i < num; i++) values[i] = PetscRealPart(a[i]);
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(x, &local));
+  PetscCall(VecDestroy(&x));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Appends ghosts, nodes of other ranks' cells. Collective. [in] body - of each [num] */
+static PetscErrorCode LevelAppendGhosts_Private(Level *level, PetscInt num, const PetscInt global[],
+                                                const PetscInt body[])
+{
+  const PetscInt old = level->num_nodes, all = old + num, dim = level->dim;
+  PetscInt      *node_global, *node_body;
+  PetscReal     *coords, *unmapped;
+  PetscBool      curved = (PetscBool)(level->unmapped != NULL);
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc3(all, &node_global, all, &node_body, all * dim, &coords));
+  PetscCall(PetscArraycpy(node_global, level->node_global, old));
+  PetscCall(PetscArraycpy(node_body, level->node_body, old));
+  PetscCall(PetscArraycpy(coords, level->coords, old * dim));
+  PetscCall(PetscArraycpy(&node_global[old], global, num));
+  PetscCall(PetscArraycpy(&node_body[old], body, num));
+  PetscCall(PetscFree3(level->node_global, level->node_body, level->coords));
+  level->node_global = node_global;
+  level->node_body   = node_body;
+  level->coords      = coords;
+  level->num_nodes   = all;
+  PetscCall(LevelShareValues_Private(level, level->coords));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &curved, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!curved) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(all * dim + 1, &unmapped));
+  if (level->unmapped) PetscCall(PetscArraycpy(unmapped, level->unmapped, old * dim));
+  PetscCall(PetscFree(level->unmapped));
+  level->unmapped = unmapped;
+  PetscCall(LevelShareValues_Private(level, level->unmapped));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Rows of level->conforming of all local nodes. Collective. [out] order - local nodes by global number, which
+   the rows follow [num_nodes]; [out] rows - columns are global nodes; both owned by the caller */
+static PetscErrorCode LevelGetConformingRows_Private(const Level *level, PetscInt **order, Mat **rows)
+{
+  const PetscInt num = level->num_nodes;
+  PetscInt      *sorted;
+  IS             nodes, all;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(num, order));
+  PetscCall(PetscMalloc1(num, &sorted));
+  PetscCall(PetscArraycpy(sorted, level->node_global, num));
+  for (PetscInt i = 0; i < num; i++) (*order)[i] = i;
+  PetscCall(PetscSortIntWithArray(num, sorted, *order));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, sorted, PETSC_OWN_POINTER, &nodes));
+  PetscCall(ISCreateStride(PETSC_COMM_SELF, level->num_global, 0, 1, &all));
+  PetscCall(MatCreateSubMatrices(level->conforming, 1, &nodes, &all, MAT_INITIAL_MATRIX, rows));
+  PetscCall(ISDestroy(&all));
+  PetscCall(ISDestroy(&nodes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The local node of a global one, or -1. [in] order - of LevelGetConformingRows_Private() [num] */
+static PetscInt LevelFindNode_Private(const Level *level, PetscInt num, const PetscInt order[], PetscInt global)
+{
+  PetscInt low = 0, high = num;
+
+  while (low < high) {
+    const PetscInt middle = (low + high) / 2;
+
+    if (level->node_global[order[middle]] < global)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low < num && level->node_global[order[low]] == global ? order[low] : -1;
+}
+
+/* The table of nodes that hang, at first with global nodes. [in] at - row of each local node [num_nodes] */
+static PetscErrorCode LevelListHanging_Private(const Level *level, Mat rows, const PetscInt at[], Hanging *hanging)
+{
+  PetscInt num = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt pass = 0; pass < 2; pass++) {
+    if (pass) {
+      PetscCall(PetscMalloc1(level->num_nodes + 1, &hanging->start));
+      PetscCall(PetscMalloc1(num, &hanging->node));
+      PetscCall(PetscMalloc1(num, &hanging->weight));
+    }
+    num = 0;
+    for (PetscInt i = 0; i < level->num_nodes; i++) {
+      const PetscInt    *columns;
+      const PetscScalar *values;
+      PetscInt           size;
+
+      if (pass) hanging->start[i] = num;
+      PetscCall(MatGetRow(rows, at[i], &size, &columns, &values));
+      if (size > 1 || columns[0] != level->node_global[i]) {
+        for (PetscInt k = 0; k < size && pass; k++) {
+          hanging->node[num + k]   = columns[k];
+          hanging->weight[num + k] = PetscRealPart(values[k]);
+        }
+        num += size;
+      }
+      PetscCall(MatRestoreRow(rows, at[i], &size, &columns, &values));
+    }
+    if (pass) hanging->start[level->num_nodes] = num;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* level->hanging; nodes on which others hang become ghosts. Collective. */
+static PetscErrorCode LevelSetHanging_Private(Level *level)
+{
+  Hanging *hanging = &level->hanging;
+  PetscInt num = level->num_nodes, all, *order, *at, *body, *fresh, added = 0;
+  Mat     *rows;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetConformingRows_Private(level, &order, &rows));
+  PetscCall(PetscMalloc1(num, &at));
+  for (PetscInt i = 0; i < num; i++) at[order[i]] = i;
+  PetscCall(LevelListHanging_Private(level, rows[0], at, hanging));
+  PetscCall(MatDestroySubMatrices(1, &rows));
+  all = hanging->start[num];
+  PetscCall(PetscMalloc2(all, &fresh, all, &body));
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = hanging->start[i]; k < hanging->start[i + 1]; k++) {
+      const PetscInt global = hanging->node[k];
+      PetscInt       found = LevelFindNode_Private(level, num, order, global), j = 0;
+
+      if (found < 0) {
+        while (j < added && fresh[j] != global) j++;
+        fresh[j] = global;
+        body[j]  = level->node_body[i];
+        found    = num + j;
+        added    = PetscMax(added, j + 1);
+      }
+      hanging->node[k] = found;
+    }
+  }
+  PetscCall(LevelAppendGhosts_Private(level, added, fresh, body));
+  PetscCall(PetscFree2(fresh, body));
+  PetscCall(PetscFree(at));
+  PetscCall(PetscFree(order));
+  PetscCall(PetscMalloc1(level->num_nodes + 1, &at)); // new ghosts do not hang
+  for (PetscInt i = 0; i <= level->num_nodes; i++) at[i] = hanging->start[PetscMin(i, num)];
+  PetscCall(PetscFree(hanging->start));
+  hanging->start = at;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool LevelNodeHangs(const Level *level, PetscInt node)
+{
+  return (PetscBool)(level->hanging.start && level->hanging.start[node + 1] > level->hanging.start[node]);
 }
 
 PetscErrorCode MeshForestSetHanging(MeshForest forest, Level *level)
 {
-  const PetscInt most = ElementNumNodes(ELEMENT_LINE3);
+  const PetscInt most = ElementNumNodes(level->dim == 2 ? ELEMENT_LINE3 : ELEMENT_QUAD9);
   PetscBool     *hanging, any = PETSC_FALSE;
   PetscInt       first = 0;
   Mat            S;
@@ -231,6 +525,7 @@ PetscErrorCode MeshForestSetHanging(MeshForest forest, Level *level)
   if (any) {
     level->conforming = S;
     PetscCall(LevelSetInner_Private(forest, level));
+    PetscCall(LevelSetHanging_Private(level));
     PetscCall(LevelMoveHanging_Private(level));
   } else {
     PetscCall(MatDestroy(&S));

@@ -80,6 +80,10 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscCall(MatDestroy(&level->prolongation));
   PetscCall(MatDestroy(&level->conforming));
   PetscCall(PetscFree(level->inner));
+  PetscCall(PetscFree(level->hanging.start));
+  PetscCall(PetscFree(level->hanging.node));
+  PetscCall(PetscFree(level->hanging.weight));
+  PetscCall(PetscFree(level->hanging.rise));
   PetscCall(DMDestroy(&level->dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

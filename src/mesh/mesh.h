@@ -17,9 +17,18 @@
 
 enum { NOT_BISECTED = -1 };
 
+/* Nodes that hang, and those that they hang on. */
+typedef struct {
+  PetscInt  *start;  /* of each local node [num_nodes+1]; NULL where no node of the mesh hangs */
+  PetscInt  *node;   /* local nodes, which do not hang [start[num_nodes]] */
+  PetscReal *weight; /* values of their functions [start[num_nodes]] */
+  PetscReal *rise;   /* from each local node that hangs to where it would be: a map and smooth sides have curves, while
+                        edges of order 1 are straight; zero without a curve [num_nodes][dim] */
+} Hanging;
+
 /* Tables of one level on this rank. A cell is on exactly one rank; a node between ranks is on several, and
-   one of them owns it. Local nodes: the owned ones first, in global order, then ghosts. Global dof = dim *
-   global node + component. */
+   one of them owns it. Local nodes: the owned ones first, in global order, then ghosts. Nodes on which others
+   hang are ghosts, too. Global dof = dim * global node + component. */
 typedef struct {
   MPI_Comm  comm;
   DM        dm;
@@ -43,7 +52,8 @@ typedef struct {
   Mat        prolongation; /* from node values of the next coarser level (AIJ): its shape functions at the nodes of
                               this one; NULL on the coarsest */
   Mat        conforming;   /* from node values to those of a continuous function: hanging nodes, and no others, get the
-                     values that their edge has there; AIJ; NULL where no node of the mesh hangs */
+                     values that their edge or face has there; AIJ; NULL where no node of the mesh hangs */
+  Hanging    hanging;      /* the same for all local nodes */
   PetscReal *unmapped; /* positions before the map, kept where a file gives curved cells [num_nodes][dim]; else NULL */
   PetscInt   point_begin, point_end; /* points of the DM that may carry nodes: the vertices alone, or all */
   PetscInt  *point_node;             /* local node of each, -1 where there is none [point_end - point_begin] */
@@ -135,7 +145,9 @@ PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* A matrix between node values as one for bs values at each node. Collective.
    [in] P - AIJ; [out] blocks - AIJ of block size bs, owned by the caller */
 PetscErrorCode LevelCreateBlocks(Mat P, PetscInt bs, Mat *blocks);
-/* Hanging nodes get the values of a continuous function, or the forces on them go to the ends of their edge.
+/* Whether a local node hangs. Not collective. */
+PetscBool LevelNodeHangs(const Level *level, PetscInt node);
+/* Hanging nodes get the values of a continuous function, or the forces on them go to the nodes they hang on.
    This is the product with Level.conforming or its transpose. Without hanging nodes nothing happens.
    Collective.
    [in] bs - values at each node; [in,out] v - ghosted, owned values count */

@@ -51,6 +51,8 @@ PetscReal CellGetMeasure(ElementType type, PetscInt dim, const PetscReal X[]);
 PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order);
 /* Sets the nodes from num on, in the middle of facets and of the cell, which are not in the file. */
 void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list);
+/* The same positions of nodes that are there. */
+void CellPlaceMiddles(PetscInt cell, PetscInt num, BodyList *list);
 /* The number of the facet of a cell that has exactly these vertices, or -1.
    [in] cell, facet - node numbers */
 PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
@@ -198,7 +200,8 @@ PetscInt PointGetNode(const Level *level, PetscInt point);
 /* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out.
    [out] nodes - local [ELEMENT_MAX_NODES] */
 PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
-/* The point of the mesh of each local node. [out] point - [num_nodes], owned by the caller, PetscFree() */
+/* The point of the mesh of each local node, -1 where it is on other ranks alone. [out] point - [num_nodes],
+   owned by the caller, PetscFree() */
 PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
 /* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out]
    shared - [end of the chart], freed by the caller */

@@ -211,6 +211,7 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->num_nodes, point));
+  for (PetscInt i = 0; i < level->num_nodes; i++) (*point)[i] = -1;
   for (PetscInt p = level->point_begin; p < level->point_end; p++) {
     const PetscInt node = PointGetNode(level, p);
 

@@ -4,7 +4,7 @@
    are needed: the few facets there are sent to all ranks. */
 #include "base/compat.h"
 #include "kernel/frame.h"
-#include "mesh/sideshape.h"
+#include "mesh/sidehanging.h"
 #include "kernel/vector.h"
 
 /* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
@@ -35,9 +35,12 @@ typedef struct {
   PetscReal unit[3], weighted[3], share, outward[3]; /* from the node to the middle of the facet */
 } Corner;
 
-static const PetscReal *SideShapePosition_Private(const Side *side, PetscInt f, PetscInt i)
+/* The position of a corner; of one that hangs, on the curve that the side has. */
+static PetscReal SideShapePosition_Private(const Side *side, PetscInt f, PetscInt i, PetscInt k)
 {
-  return &side->level->coords[side->facets->nodes[f * F + i] * side->level->dim];
+  const PetscInt at = side->facets->nodes[f * F + i] * side->level->dim + k;
+
+  return side->level->coords[at] + (side->level->hanging.rise ? side->level->hanging.rise[at] : 0);
 }
 
 /* The share of a full turn around node i that a facet fills. [in] X - [num_nodes][dim] */
@@ -66,9 +69,10 @@ static void SideShapeSetCorners_Private(Side *side)
     PetscReal         X[3 * F];
 
     for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = SideShapePosition_Private(side, f, i)[k];
+      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = SideShapePosition_Private(side, f, i, k);
     }
     FrameAddFacetNormal(dim, ElementNumNodes(type), X, &side->weighted[f * F * dim]);
+    if (side->level->conforming) SideHangingSetCorners(side->level, side->facets, f, X, &side->weighted[f * F * dim]);
     for (PetscInt i = 0; i < ElementNumNodes(type); i++)
       side->share[f * F + i] = SideShapeAngleShare_Private(dim, type, i, X);
   }
@@ -140,7 +144,7 @@ static Corner SideShapeCornerOf_Private(const Side *side, PetscInt f, PetscInt i
     corner.unit[k] = corner.weighted[k] = side->weighted[(f * F + i) * dim + k];
     for (PetscInt v = 0; v < n; v++)
       corner.outward[k] +=
-          (SideShapePosition_Private(side, f, v)[k] - SideShapePosition_Private(side, f, i)[k]) / (PetscReal)n;
+          (SideShapePosition_Private(side, f, v, k) - SideShapePosition_Private(side, f, i, k)) / (PetscReal)n;
   }
   FrameNormalize(dim, corner.unit);
   FrameNormalize(dim, corner.outward);
@@ -245,7 +249,7 @@ static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt
   PetscReal        dx[3], dn[3], along, across, square, most = 0;
 
   for (PetscInt k = 0; k < dim; k++) {
-    dx[k] = SideShapePosition_Private(side, f, j)[k] - SideShapePosition_Private(side, f, i)[k];
+    dx[k] = SideShapePosition_Private(side, f, j, k) - SideShapePosition_Private(side, f, i, k);
     dn[k] = m[k] - n[k];
   }
   along  = VectorDot(dim, dx, n);
@@ -361,7 +365,7 @@ static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, Petsc
   PetscReal        dx[3] = {0}, t[3] = {0}, square, along;
 
   for (PetscInt k = 0; k < dim; k++)
-    dx[k] = SideShapePosition_Private(side, f, i)[k] - SideShapePosition_Private(side, f, j)[k];
+    dx[k] = SideShapePosition_Private(side, f, i, k) - SideShapePosition_Private(side, f, j, k);
   for (PetscInt k = 0; k < dim * dim; k++) t[k / dim] += S[k] * dx[k % dim];
   square = VectorDot(dim, t, t);
   along  = VectorDot(dim, m, dx) / VectorDot(dim, dx, dx);
@@ -461,7 +465,9 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
     PetscCall(SideShapeSetEnds_Private(&side, END_TURN, INNER_TURN, known));
     PetscCall(SideShapeSetEnds_Private(&side, 0, END_TURN, known));
+    PetscCall(SideHangingSetShape(level, facets, shape));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
+    PetscCall(SideHangingSetShape(level, facets, shape));
   }
   PetscCall(PetscFree3(side.weighted, side.share, known));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -154,7 +154,7 @@ PetscBool BodyListCanSplit(const BodyList *list)
   PetscBool all = PETSC_TRUE;
 
   for (PetscInt c = 0; c < list->num_cells; c++)
-    all = (PetscBool)(all && ElementLinear((ElementType)list->cell_type[c]) == ELEMENT_QUAD4);
+    all = (PetscBool)(all && ElementNumNodes(ElementLinear((ElementType)list->cell_type[c])) == 1 << list->dim);
   return all;
 }
 

@@ -1,7 +1,8 @@
 /* treearcs.c -- smooth sides of bodies that are bisected, on the curves of their vertices' normals (eq. 4.5).
 
    Normals of the first list are those of its facets. Where an edge is halved, the new vertex is the middle of
-   its arc, with the normal of the arc. On circles, spheres and cylinders both are exact for any sequence of
+   its arc, with the normal of the arc. In the middle of a face it is that of the arc between two opposite
+   edges. On circles, spheres and cylinders both are exact for any sequence of
    bisections. Flat sides stay exactly flat. */
 #include "kernel/arc.h"
 #include "mesh/forest.h"
@@ -58,13 +59,19 @@ static PetscErrorCode TreeCreateLevel_Private(const Tree *tree, Scene alone, Lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static ElementType TreeFacetType_Private(const Tree *tree)
+{
+  if (tree->mesh.dim == 2) return ELEMENT_LINE2;
+  return TreeIsKept(tree) ? ELEMENT_QUAD4 : ELEMENT_TRI3;
+}
+
 /* Facets of the level of the first list, smooth ones first. [out] num_round - of these; [out] facets - owned
    by the caller; [out] entry - of each, freed by the caller */
 static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level, PetscInt *num_round, Facets *facets,
                                             PetscInt **entry)
 {
   const TreeArcs *arcs      = &tree->arcs;
-  const PetscInt  num_cells = tree->list.num_cells, dim = level->dim;
+  const PetscInt  num_cells = tree->list.num_cells;
 
   PetscFunctionBeginUser;
   PetscCall(FacetsAllocate(tree->num_entries, facets));
@@ -78,10 +85,13 @@ static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level
 
         if (e < 0 || (pass ? arcs->round[e] || !arcs->flat[e] : !arcs->round[e])) continue;
         facets->cell[facets->num] = c; // points of the DM: cells of one type, then vertices
-        facets->type[facets->num] = dim == 2 ? ELEMENT_LINE2 : ELEMENT_TRI3;
+        facets->type[facets->num] = TreeFacetType_Private(tree);
         for (PetscInt i = 0; i < tree->mesh.corners; i++) {
-          if (TreeIsKept(tree) ? i == v || i == (v + 1) % tree->mesh.corners : i != v)
-            facets->nodes[n++] = PointGetNode(level, num_cells + tree->mesh.vertex[c][i]);
+          if (TreeIsKept(tree) ? i < ElementNumNodes(TreeFacetType_Private(tree)) : i != v) {
+            const PetscInt k = TreeIsKept(tree) ? ElementFacetNodes(SplitElement(&tree->mesh), v)[i] : i;
+
+            facets->nodes[n++] = PointGetNode(level, num_cells + tree->mesh.vertex[c][k]);
+          }
         }
         (*entry)[facets->num++] = e;
       }
@@ -101,7 +111,7 @@ static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, co
   for (PetscInt f = 0; f < facets->num && !any; f++) {
     PetscReal X[3 * F], bulge[3 * F];
 
-    for (PetscInt i = 0; i < dim; i++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       for (PetscInt d = 0; d < dim; d++) X[i * dim + d] = level->coords[facets->nodes[f * F + i] * dim + d];
     }
     any = ArcBulge(facets->type[f], X, &normal[f * F * dim], bulge);
@@ -122,15 +132,16 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
   PetscCall(LevelGetNodePoints(level, &point));
   arcs->num_vertices = tree->list.num_vertices;
   PetscCall(PetscCalloc1(arcs->num_vertices + 2, &arcs->start));
-  arcs->room = facets->num * dim;
+  arcs->room = facets->num * ElementNumNodes(TreeFacetType_Private(tree));
   PetscCall(PetscCalloc1(arcs->room, &arcs->corner));
   for (PetscInt f = 0; f < facets->num; f++) {
-    for (PetscInt i = 0; i < dim; i++) arcs->start[point[facets->nodes[f * F + i]] - first + 2]++;
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+      arcs->start[point[facets->nodes[f * F + i]] - first + 2]++;
   }
   for (PetscInt v = 0; v < arcs->num_vertices; v++) arcs->start[v + 2] += arcs->start[v + 1];
   for (PetscInt f = 0; f < facets->num; f++) {
     if (arcs->flat[entry[f]]) (void)FacetGetMeasure(level, facets, f, arcs->plane[entry[f]]);
-    for (PetscInt i = 0; i < dim; i++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       SideCorner *corner = &arcs->corner[arcs->start[point[facets->nodes[f * F + i]] - first + 1]++];
 
       corner->facet = entry[f];
@@ -210,21 +221,6 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
   return ArcSumsToOffset(dim, sums, offset);
 }
 
-/* Puts the node in the middle of a quadrilateral where its edges have it. That is half of the sum of their
-   middles less a quarter of that of its corners. */
-static void QuadSetMiddle_Private(PetscInt dim, const PetscInt nodes[], PetscReal coords[])
-{
-  const PetscInt corners = ElementNumNodes(ELEMENT_QUAD4);
-
-  for (PetscInt d = 0; d < dim; d++) {
-    PetscReal *x = &coords[nodes[2 * corners] * dim + d];
-
-    *x = 0;
-    for (PetscInt i = 0; i < corners; i++)
-      *x += coords[nodes[corners + i] * dim + d] / 2 - coords[nodes[i] * dim + d] / 4;
-  }
-}
-
 /* Puts middle nodes of cells of order 2 on the curves of their edges. */
 static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
 {
@@ -245,7 +241,7 @@ static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
         list->coords[nodes[tree->mesh.corners + e] * dim + d] =
             (list->coords[a * dim + d] + list->coords[b * dim + d]) / 2 + offset[d];
     }
-    if (any && type == ELEMENT_QUAD9) QuadSetMiddle_Private(dim, nodes, list->coords);
+    if (any) CellPlaceMiddles(c, tree->mesh.corners + ElementNumEdges(type), list);
   }
 }
 

@@ -67,11 +67,12 @@ PetscErrorCode CellSumsCreate(const Level *level, SymmetricBlocks *sums)
   for (PetscInt i = 0; i < stars.start[num]; i++)
     most += level->cell_start[stars.cell[i] + 1] - level->cell_start[stars.cell[i]];
   PetscCall(PetscMalloc1(num + 1, &start));
-  PetscCall(PetscMalloc1(most, &column));
+  PetscCall(PetscMalloc1(most + num, &column));
   start[0] = 0;
   for (PetscInt i = 0; i < num; i++) {
     CellSumsListNeighbours_Private(level, stars.start[i + 1] - stars.start[i], &stars.cell[stars.start[i]], &size,
                                    &column[start[i]]);
+    if (!size) column[start[i] + size++] = i; // of no cell of this rank: nodes of others hang on it
     start[i + 1] = start[i] + size;
   }
   PetscCall(PetscFree(stars.start));

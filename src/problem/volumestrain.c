@@ -133,13 +133,13 @@ void VolumeStrainLockingText(Scene scene, PetscInt material, ElementType type, P
   const PetscBool   plane     = (PetscBool)(scene->dim == 2);
   const PetscInt    order     = ElementOrder(type);
   const PetscBool   higher    = (PetscBool)(DilatationChoose(ElementOfOrder(type, 2), poisson) != DILATATION_LOCKS);
-  const PetscBool   cut       = (PetscBool)(plane && scene->adapt.on && !scene->adapt.kept);
-  const char *const boxes     = cut ? "quadrilaterals and -adapt_cells kept" : plane ? "quadrilaterals" : "hexahedra";
+  const char *const boxes     = plane ? "quadrilaterals" : "hexahedra";
+  const char *const kept      = scene->adapt.on && !scene->adapt.kept ? " and -adapt_cells kept" : "";
   const char *const simplices = plane ? "triangles" : "tetrahedra";
 
   snprintf(
       sentence, len,
-      "%s %s: %s of order %d lock above %g, since they can hardly move without changing their volume; use %s%s%s%s",
+      "%s %s: %s of order %d lock above %g, since they can hardly move without changing their volume; use %s%s%s%s%s",
       ExpressionOption(ratio), ExpressionText(ratio), simplices, (int)order, (double)DilatationThreshold(type), boxes,
-      higher ? ", or -" : "", higher ? name : "", higher ? "_order 2" : "");
+      kept, higher ? ", or -" : "", higher ? name : "", higher ? "_order 2" : "");
 }

@@ -24,6 +24,13 @@ static PetscReal BarFloorsGetRelative_Private(PetscReal squared, PetscReal norm)
   return norm > 0 ? squared / norm : 0;
 }
 
+/* Sets pressure and whether it counts for the area. */
+static void BarFloorsSetNode_Private(const PairFields *values, PetscInt i, PetscScalar a[])
+{
+  a[3 * i]     = values->pressure[i];
+  a[3 * i + 1] = StatusIsContact(values->status[i]) || (values->status[i] == STATUS_TIED && values->pressure[i] > 0);
+}
+
 /* At the nodes of a side: pressure, whether it counts for the area, whether there is a multiplier.
    Collective. [out] nodal - ghosted, three per node */
 static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Vec *nodal)
@@ -37,12 +44,11 @@ static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Ve
   PetscCall(PairFieldsCreate(fields, p, &values));
   PetscCall(VecGetArray(*nodal, &a));
   for (PetscInt k = 0; k < pair->num; k++) {
-    const PetscInt i = pair->nodes[k];
-
-    a[3 * i]     = values.pressure[i];
-    a[3 * i + 2] = 1;
-    a[3 * i + 1] = StatusIsContact(values.status[i]) || (values.status[i] == STATUS_TIED && values.pressure[i] > 0);
+    BarFloorsSetNode_Private(&values, pair->nodes[k], a);
+    a[3 * pair->nodes[k] + 2] = 1;
   }
+  for (PetscInt i = 0; i < pair->level->num_owned; i++)
+    if (LevelNodeHangs(pair->level, i)) BarFloorsSetNode_Private(&values, i, a);
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));
   PetscCall(VecGhostUpdateBegin(*nodal, INSERT_VALUES, SCATTER_FORWARD));

@@ -1,4 +1,5 @@
 /* pairfields.c -- rows of the inequality as values at the nodes of a nonmortar side. */
+#include "contact/pairpoints.h"
 #include "result/fields.h"
 #include "base/compat.h"
 
@@ -71,12 +72,106 @@ static PetscErrorCode PairFieldsInterpolate_Private(const Pair pair, PetscReal n
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Marks the nodes of a nonmortar side that hang. Collective. [out] hangs - freed by the caller [num_owned];
+   NULL where no node of the mesh hangs */
+static PetscErrorCode PairMarkHanging_Private(const Pair pair, PetscBool **hangs)
+{
+  Level        *level  = pair->level;
+  const Facets *facets = &pair->points->facets;
+  PetscScalar  *mark;
+  Vec           marks, local;
+
+  PetscFunctionBeginUser;
+  *hangs = NULL;
+  if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscCalloc1(level->num_owned + 1, hangs)); // not NULL where a rank has no nodes
+  PetscCall(LevelCreateVec(level, 1, &marks));
+  PetscCall(VecGhostGetLocalForm(marks, &local));
+  PetscCall(VecGetArray(local, &mark));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+      mark[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
+  }
+  PetscCall(VecRestoreArray(local, &mark));
+  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(LevelShareVec(marks, MAX_VALUES));
+  PetscCall(VecGetArray(marks, &mark));
+  for (PetscInt i = 0; i < level->num_owned; i++)
+    (*hangs)[i] = (PetscBool)(PetscRealPart(mark[i]) > 0 && LevelNodeHangs(level, i));
+  PetscCall(VecRestoreArray(marks, &mark));
+  PetscCall(VecDestroy(&marks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Values at nodes that hang: those of the nodes that they hang on, interpolated. Collective. [in] hangs - of
+   PairMarkHanging_Private(); [in,out] nodal - [num_owned] */
+static PetscErrorCode PairFieldsHang_Private(Level *level, const PetscBool hangs[], PetscReal nodal[])
+{
+  PetscScalar *a;
+  Vec          v;
+
+  PetscFunctionBeginUser;
+  if (!hangs) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LevelCreateVec(level, 1, &v));
+  PetscCall(VecGetArray(v, &a));
+  for (PetscInt i = 0; i < level->num_owned; i++) a[i] = nodal[i];
+  PetscCall(VecRestoreArray(v, &a));
+  PetscCall(LevelConform(level, 1, v));
+  PetscCall(VecGetArray(v, &a));
+  for (PetscInt i = 0; i < level->num_owned; i++)
+    if (hangs[i]) nodal[i] = PetscRealPart(a[i]);
+  PetscCall(VecRestoreArray(v, &a));
+  PetscCall(VecDestroy(&v));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PairFieldsSpread(const Pair pair, PetscReal nodal[], PetscBool covered[])
 {
+  PetscBool *hangs;
+
   PetscFunctionBeginUser;
   if (pair->D_other) PetscCall(PairFieldsExtend_Private(pair, nodal, covered));
   if (pair->to_nodal && pair->spec->multipliers == MULTIPLIERS_VERTICES)
     PetscCall(PairFieldsInterpolate_Private(pair, nodal, covered));
+  PetscCall(PairMarkHanging_Private(pair, &hangs));
+  PetscCall(PairFieldsHang_Private(pair->level, hangs, nodal));
+  PetscCall(PetscFree(hangs));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A node that hangs has the least status of those that it hangs on: no constraint, then open. It is covered
+   if one of them is. Collective. [in,out] nodal - status and covered */
+static PetscErrorCode PairFieldsHangStatus_Private(Level *level, const PetscBool hangs[], PairFields *nodal)
+{
+  const Hanging *hanging = &level->hanging;
+  PetscScalar   *a;
+  Vec            v, local;
+
+  PetscFunctionBeginUser;
+  if (!hangs) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LevelCreateVec(level, 2, &v));
+  PetscCall(VecGetArray(v, &a));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    a[2 * i]     = (PetscReal)nodal->status[i];
+    a[2 * i + 1] = nodal->covered[i] ? 1 : 0;
+  }
+  PetscCall(VecRestoreArray(v, &a));
+  PetscCall(VecGhostUpdateBegin(v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(v, &local));
+  PetscCall(VecGetArray(local, &a));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    PetscReal least = STATUS_STICK;
+
+    for (PetscInt k = hanging->start[i]; k < hanging->start[i + 1] && hangs[i]; k++) {
+      least             = PetscMin(least, PetscRealPart(a[2 * hanging->node[k]]));
+      nodal->covered[i] = (PetscBool)(nodal->covered[i] || PetscRealPart(a[2 * hanging->node[k] + 1]) > 0);
+    }
+    if (hangs[i]) nodal->status[i] = (PetscInt)least;
+  }
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(v, &local));
+  PetscCall(VecDestroy(&v));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -86,6 +181,7 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   const Pair       pair = vi->pairs[p];
   const PetscInt   n    = vi->level->num_owned;
   const PetscReal *lambda, *slack;
+  PetscBool       *hangs;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc5(n, &nodal->pressure, n, &nodal->gap, n, &nodal->force, n, &nodal->status, n, &nodal->covered));
@@ -110,6 +206,10 @@ PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal)
   PetscCall(VecRestoreArrayRead(fields->slack, &slack));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
   PetscCall(PairFieldsSpread(pair, nodal->pressure, nodal->covered));
+  PetscCall(PairMarkHanging_Private(pair, &hangs));
+  PetscCall(PairFieldsHang_Private(vi->level, hangs, nodal->gap));
+  PetscCall(PairFieldsHangStatus_Private(vi->level, hangs, nodal));
+  PetscCall(PetscFree(hangs));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

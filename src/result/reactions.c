@@ -65,6 +65,7 @@ static PetscErrorCode ReactionsExpect_Private(Reactions *reactions, PetscInt bod
   PetscCall(VecRestoreArray(local, &sums));
   PetscCall(VecGhostRestoreLocalForm(v, &local));
   PetscCall(LevelShareVec(v, ADD_VALUES));
+  PetscCall(LevelConformForces(level, level->dim, v));
   PetscCall(VecGetArray(v, &sums));
   for (PetscInt s = 0; s < support->num_shared; s++) {
     const SharedNode *shared = &support->shared[s];

@@ -240,8 +240,9 @@ static const OptionEntry table[] = {
      "such as 1e-2 or 1e-3. Results have error bars. Bodies have -order 2 unless the scene says otherwise; "
      "quadrilaterals and hexahedra are cut into triangles and tetrahedra, unless -adapt_cells keeps them."},
     {GROUP_ADAPT, "-adapt_cells", "simplices|kept", "", "simplices",
-     "With -adapt, -adapt_goal or -study adaptive, in the plane: whether quadrilaterals are cut into triangles, or "
-     "kept and split into four, with nodes that hang on the edges of larger ones. Bodies with triangles are cut."},
+     "With -adapt, -adapt_goal or -study adaptive: whether quadrilaterals and hexahedra are cut into triangles and "
+     "tetrahedra, or kept and split into four and eight, with nodes that hang on the edges and faces of larger ones. "
+     "Bodies that have other cells as well are cut."},
     {GROUP_ADAPT, "-adapt_goal", "force:<pair>|probe:<name>|pressure:<pair>, ...", "", "(the energy norm)",
      "Refines for these numbers, with or without -adapt: the normal force of a pair, von Mises' stress at a probe, the "
      "largest pressure of a pair. Refinement ends when their error bars are small enough."},

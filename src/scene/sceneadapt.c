@@ -143,7 +143,24 @@ static PetscBool AdaptLacksMises_Private(Scene scene, PetscInt body)
   return PETSC_FALSE;
 }
 
-/* Reads whether quadrilaterals are kept, of -adapt and of -study adaptive. */
+/* User error: on facets of order 2 with nodes that hang, multipliers are at all nodes. */
+static PetscErrorCode AdaptCheckMultipliers_Private(Scene scene)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt p = 0; p < scene->num_pairs && scene->adapt.kept && scene->dim == 3; p++) {
+    const ScenePair *pair = &scene->pairs[p];
+
+    if (pair->multipliers != MULTIPLIERS_VERTICES || scene->bodies[pair->nonmortar.body].order < 2) continue;
+    PetscCall(
+        UserErrorRaise(scene->comm,
+                       "-%s_multipliers vertices: with -adapt_cells kept, multipliers of hexahedra of order 2 are at "
+                       "all nodes; omit the option",
+                       pair->name));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Reads whether quadrilaterals and hexahedra are kept, of -adapt and of -study adaptive. */
 static PetscErrorCode AdaptReadCells_Private(Scene scene)
 {
   PetscInt choice = 0;
@@ -154,8 +171,6 @@ static PetscErrorCode AdaptReadCells_Private(Scene scene)
   PetscCall(OptionFind(scene, "-adapt_cells", NULL, NULL, &cells));
   PetscCall(OptionGetChoice(&cells, &choice));
   scene->adapt.kept = (PetscBool)(choice > 0);
-  if (scene->adapt.kept && scene->dim > 2)
-    PetscCall(OptionRaise(&cells, "cells are kept in the plane alone, and hexahedra are cut; omit the option"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -165,6 +180,7 @@ PetscErrorCode SceneAdaptCheck(Scene scene)
 
   PetscFunctionBeginUser;
   PetscCall(AdaptReadCells_Private(scene));
+  PetscCall(AdaptCheckMultipliers_Private(scene));
   for (PetscInt g = 0; g < adapt->num_goals; g++) {
     const SceneGoal  *goal  = &adapt->goals[g];
     const SceneProbe *probe = goal->kind == GOAL_PROBE ? &scene->probes[goal->owner] : NULL;

@@ -88,12 +88,14 @@ static PetscErrorCode GatherHold_Private(Gather *gather, PetscInt node, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Flags the nodes of a side on all ranks that hold them.
+/* Flags the nodes of a side on all ranks that hold them. In place of a node that hangs it flags those that it
+   hangs on: its displacement is theirs, and they lie on the side as well.
    [out] local - form of gather->flags, to be restored by the caller */
 static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, const char side[], Vec *local)
 {
-  PetscScalar *flag;
-  Facets       facets;
+  const Hanging *hanging = &gather->level->hanging;
+  PetscScalar   *flag;
+  Facets         facets;
 
   PetscFunctionBeginUser;
   PetscCall(VecGhostGetLocalForm(gather->flags, local));
@@ -101,8 +103,13 @@ static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, cons
   PetscCall(LevelGetFacets(gather->level, gather->scene, body, side, &facets));
   PetscCall(VecGetArray(*local, &flag));
   for (PetscInt f = 0; f < facets.num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++)
-      flag[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
+      const PetscInt node = facets.nodes[f * ELEMENT_MAX_FACET_NODES + i];
+
+      if (!LevelNodeHangs(gather->level, node)) flag[node] = 1;
+      for (PetscInt k = hanging->start ? hanging->start[node] : 0; hanging->start && k < hanging->start[node + 1]; k++)
+        flag[hanging->node[k]] = 1;
+    }
   }
   PetscCall(VecRestoreArray(*local, &flag));
   PetscCall(FacetsDestroy(&facets));

@@ -81,7 +81,7 @@ static PetscErrorCode Measure(Scene scene, Level *level)
     const PetscLogDouble start = Seconds();
     PetscLogDouble       middle;
     MortarSurface        surface;
-    PetscCall(MortarSurfaceCreate(level, &nonmortar, &mortar, NULL, spec->reach, &surface));
+    PetscCall(MortarSurfaceCreate(level, &nonmortar, &mortar, NULL, NULL, spec->reach, &surface));
     middle = Seconds();
     PetscCall(QueryAll(level, &nonmortar, na, &surface, spec->reach, &hits));
     query    = PetscMin(query, Seconds() - middle);

@@ -119,7 +119,7 @@ static void Couple(const Chain *nonmortar, const Chain *mortar, PetscInt num_gau
       w[q] = points[q].weight;
       pair->length += w[q];
     }
-    if (!DualBasisCreate(side.facet.type, num, xi[0], w, &dual)) continue;
+    if (!DualBasisCreate(side.facet.type, num, xi[0], w, NULL, &dual)) continue;
     for (PetscInt i = 0; i < ElementNumNodes(side.facet.type); i++) pair->D[side.nodes[i]] += dual.D[i];
     for (PetscInt q = 0; q < num; q++) {
       PetscReal psi[3], phi[3], n[2] = {0., 0.};

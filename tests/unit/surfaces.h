@@ -102,7 +102,7 @@ static inline void Couple(const Surface *nonmortar, const Surface *mortar, Coupl
       w[q]          = all[q].weight;
       pair->area += w[q];
     }
-    if (!DualBasisCreate(nonmortar->type, num, xi, w, &dual)) continue;
+    if (!DualBasisCreate(nonmortar->type, num, xi, w, NULL, &dual)) continue;
     for (PetscInt i = 0; i < ElementNumNodes(nonmortar->type); i++) pair->D[nonmortar->nodes[f][i]] += dual.D[i];
     for (PetscInt q = 0; q < num; q++) {
       DualBasisEvaluate(&dual, all[q].xi, psi);

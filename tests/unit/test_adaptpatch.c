@@ -10,7 +10,7 @@
 #include <math.h>
 
 enum { STEPS = 4 };
-static const PetscReal PART[4] = {[2] = .25, [3] = .06}; // of the cells that are marked
+static const PetscReal PART[2][4] = {{[2] = .25, [3] = .06}, {[2] = .25, [3] = .12}}; // of the cells that are marked
 
 /* Two blocks one above the other, pressed together by 1, free to widen. The last axis is across the contact. */
 static const char *const Common[] = {"-bodies",
@@ -71,7 +71,7 @@ static void SetOptions(const char *const options[])
 }
 
 /* Cells by a hash of their middle. */
-static void Adapt(Mesh mesh)
+static void Adapt(Mesh mesh, PetscBool kept)
 {
   const Level *level = MeshFinest(mesh);
   const int    dim   = (int)level->dim;
@@ -86,7 +86,7 @@ static void Adapt(Mesh mesh)
 
       for (int d = 0; d < dim; d++) phase += (12.9898 + 65.2 * d) * x[d];
     }
-    marked[c] = (PetscBool)(fabs(fmod(1e4 * sin(phase), 1)) < PART[dim]);
+    marked[c] = (PetscBool)(fabs(fmod(1e4 * sin(phase), 1)) < PART[kept][dim]);
   }
   CHECK(!MeshAdapt(mesh, marked));
   CHECK(!PetscFree(marked));
@@ -162,7 +162,7 @@ static void TestScene(const char *const options[], const char order[], PetscBool
     const PetscInt level = mesh->num_levels - 1;
     Vec            guess;
 
-    Adapt(mesh);
+    Adapt(mesh, kept);
     CHECK(!PromotionApply(mesh, level, level + 1, run->fields->u, &guess));
     CHECK(!RunExtend(guess, &run));
     CHECK(!VecDestroy(&guess));
@@ -186,6 +186,8 @@ int main(int argc, char **argv)
   TestScene(Plane, "2", PETSC_TRUE);
   TestScene(Space, "1", PETSC_FALSE);
   TestScene(Space, "2", PETSC_FALSE);
+  TestScene(Space, "1", PETSC_TRUE);
+  TestScene(Space, "2", PETSC_TRUE);
   PetscCall(PetscFinalize());
   return 0;
 }

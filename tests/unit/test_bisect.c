@@ -192,7 +192,7 @@ static void CheckPlaces(const Bisection *mesh, const PetscReal x[], PetscInt bef
         PetscReal at = 0;
 
         for (PetscInt j = 0; j <= mesh->dim; j++)
-          at += mesh->place[c][i][j] * x[before[mesh->parent[c]][j] * mesh->dim + d];
+          at += BisectionGetPlace(mesh, c, i)[j] * x[before[mesh->parent[c]][j] * mesh->dim + d];
         CHECK_NEAR(at, x[mesh->vertex[c][i] * mesh->dim + d], 1e-14);
       }
     }

@@ -48,7 +48,7 @@ static void TestFull(ElementType type, const PetscReal expected[], const PetscRe
   for (PetscInt q = 0; q < num_points; q++) {
     for (PetscInt k = 0; k < dim; k++) xi[2 * q + k] = points[q * dim + k];
   }
-  CHECK(DualBasisCreate(type, num_points, xi, w, &basis));
+  CHECK(DualBasisCreate(type, num_points, xi, w, NULL, &basis));
   Matrix(&basis, A);
   for (PetscInt i = 0; i < n; i++) {
     CHECK_NEAR(basis.D[i], D[i], EXACT);
@@ -63,12 +63,12 @@ static void TestCut(void)
   PetscReal       xi[16], w[8], A[4];
   DualBasis       basis;
 
-  CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0.25, 1., xi, w), xi, w, &basis));
+  CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0.25, 1., xi, w), xi, w, NULL, &basis));
   Matrix(&basis, A);
   CHECK_NEAR(basis.D[0], 9. / 32., EXACT);
   CHECK_NEAR(basis.D[1], 15. / 32., EXACT);
   for (PetscInt i = 0; i < 4; i++) CHECK_NEAR(A[i], right[i], EXACT);
-  CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0., 0.5, xi, w), xi, w, &basis));
+  CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0., 0.5, xi, w), xi, w, NULL, &basis));
   Matrix(&basis, A);
   CHECK_NEAR(basis.D[0], 3. / 8., EXACT);
   CHECK_NEAR(basis.D[1], 1. / 8., EXACT);
@@ -87,7 +87,7 @@ static void TestSliver(void)
     PetscReal       xi[16], w[8], A[4];
     DualBasis       basis;
 
-    CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0., e, xi, w), xi, w, &basis));
+    CHECK(DualBasisCreate(ELEMENT_LINE2, LinePoints(0., e, xi, w), xi, w, NULL, &basis));
     Matrix(&basis, A);
     CHECK_NEAR(basis.D[0] / e, 1. - e / 2., EXACT);
     CHECK_NEAR(basis.D[1] / e, e / 2., EXACT);
@@ -112,7 +112,7 @@ static void TestQuadraticSliver(PetscReal begin)
     PetscReal       xi[16], w[8];
     DualBasis       basis;
 
-    CHECK(DualBasisCreate(ELEMENT_LINE3, LinePoints(begin, end, xi, w), xi, w, &basis));
+    CHECK(DualBasisCreate(ELEMENT_LINE3, LinePoints(begin, end, xi, w), xi, w, NULL, &basis));
     CHECK_NEAR(basis.D[1] / D_end, 1., tolerance);
     for (PetscInt q = 0; q < 3; q++) {
       const PetscReal t = 2. * (s[q] - begin) / e - 1., at[2] = {s[q], 0.};
@@ -138,12 +138,12 @@ static void TestSingular(void)
   const PetscReal one_point[] = {0.75, 0.}, two_points[] = {0.25, 0., 0.75, 0.}, w[] = {1., 1.}, no_weight[] = {0., 0.};
   DualBasis       basis;
 
-  CHECK(!DualBasisCreate(ELEMENT_LINE2, 0, NULL, NULL, &basis));
+  CHECK(!DualBasisCreate(ELEMENT_LINE2, 0, NULL, NULL, NULL, &basis));
   CHECK_NEAR(basis.D[0], 0., 0.);
-  CHECK(!DualBasisCreate(ELEMENT_LINE2, 1, one_point, w, &basis)); /* one point cannot tell two functions apart */
-  CHECK_NEAR(basis.D[1], 0.75, 0.);                                /* the integrals are good all the same */
-  CHECK(!DualBasisCreate(ELEMENT_LINE3, 2, two_points, w, &basis));
-  CHECK(!DualBasisCreate(ELEMENT_LINE2, 2, two_points, no_weight, &basis));
+  CHECK(!DualBasisCreate(ELEMENT_LINE2, 1, one_point, w, NULL, &basis)); /* one point cannot tell two functions apart */
+  CHECK_NEAR(basis.D[1], 0.75, 0.);                                      /* the integrals are good all the same */
+  CHECK(!DualBasisCreate(ELEMENT_LINE3, 2, two_points, w, NULL, &basis));
+  CHECK(!DualBasisCreate(ELEMENT_LINE2, 2, two_points, no_weight, NULL, &basis));
 }
 
 /* Random points with random weights stand for any rule on any covered part:
@@ -161,7 +161,7 @@ static void TestBiorthogonality(ElementType type)
       for (PetscInt k = 0; k < 2; k++) xi[2 * q + k] = Uniform(0., 0.5);
       w[q] = Uniform(0.5, 1.) / num_points;
     }
-    CHECK(DualBasisCreate(type, num_points, xi, w, &basis));
+    CHECK(DualBasisCreate(type, num_points, xi, w, NULL, &basis));
     for (PetscInt q = 0; q < num_points; q++) {
       PetscReal psi[DUAL_MAX], phi[DUAL_MAX], sum = 0., size = 0.;
 
@@ -191,7 +191,7 @@ static void TestTransformed(void)
   DualBasis       basis;
 
   CHECK_NEAR(a, 0.2, 0.);
-  CHECK(DualBasisCreate(ELEMENT_TRI6, num_points, points, w, &basis));
+  CHECK(DualBasisCreate(ELEMENT_TRI6, num_points, points, w, NULL, &basis));
   for (PetscInt i = 0; i < 6; i++) CHECK_NEAR(basis.D[i], 0.5 * (i < 3 ? 2. / 15. : 1. / 5.), EXACT);
   for (PetscInt i = 0; i < 6; i++) transformed[i] = Uniform(-1., 1.);
   for (PetscInt i = 0; i < 6; i++)
@@ -229,6 +229,48 @@ static void TestUntransformed(ElementType type)
   for (PetscInt i = 0; i < ElementNumNodes(type); i++) CHECK_NEAR(same[i], phi[i], 0.);
 }
 
+/* The edge from corner 0 to corner 1 is a half of an edge that ends at (2, 0), on which corner 1 hangs. Functions of
+   the mesh are those of the whole edge. */
+static void TestHanging(ElementType type)
+{
+  const PetscInt n = ElementNumNodes(type);
+  PetscReal      xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], sums[DUAL_MAX][DUAL_MAX] = {{0.}};
+  const PetscInt num   = QuadratureRule(type, 2 * ElementOrder(type), xi, w);
+  DualNodes      nodes = {.S = {0.}};
+  DualBasis      basis;
+
+  for (PetscInt i = 0; i < n; i++) {
+    nodes.S[i * n + i] = 1.;
+    for (PetscInt k = 0; k < 2; k++) nodes.place[i][k] = ElementNode(type, i)[k];
+  }
+  if (n == 4) {
+    nodes.place[1][0]  = 2.;
+    nodes.S[1 * n + 0] = nodes.S[1 * n + 1] = .5;
+  } else { // its middle is corner 1; node 4, at a quarter of the whole, gives its place to the end
+    nodes.place[4][0]  = 2.;
+    nodes.S[4 * n + 0] = 3. / 8.;
+    nodes.S[4 * n + 1] = 3. / 4.;
+    nodes.S[4 * n + 4] = -1. / 8.;
+  }
+  CHECK(DualBasisCreate(type, num, xi, w, &nodes, &basis));
+  for (PetscInt q = 0; q < num; q++) {
+    PetscReal phi[DUAL_MAX], psi[DUAL_MAX], sum = 0.;
+
+    ElementShape(type, &xi[2 * q], phi, NULL);
+    DualNodesApply(n, &nodes, phi);
+    DualBasisEvaluate(&basis, &xi[2 * q], psi);
+    for (PetscInt i = 0; i < n; i++) {
+      sum += psi[i];
+      for (PetscInt j = 0; j < n; j++) sums[i][j] += w[q] * psi[i] * phi[j];
+    }
+    CHECK_NEAR(sum, 1., 1e-12);
+  }
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt j = 0; j < n; j++) CHECK_NEAR(sums[i][j], i == j ? basis.D[i] : 0., EXACT);
+  }
+  CHECK_NEAR(basis.D[n == 4 ? 1 : 4], n == 4 ? 1. / 8. : -1. / 72., EXACT); // of the node outside
+}
+
 int main(int argc, char **argv)
 {
   const PetscReal line[] = {2., -1., -1., 2.}, triangle[] = {3., -1., -1., -1., 3., -1., -1., -1., 3.};
@@ -255,6 +297,8 @@ int main(int argc, char **argv)
   TestBiorthogonality(ELEMENT_LINE3);
   TestBiorthogonality(ELEMENT_TRI6);
   TestBiorthogonality(ELEMENT_QUAD9);
+  TestHanging(ELEMENT_QUAD4);
+  TestHanging(ELEMENT_QUAD9);
   TestTransformed();
   TestUntransformed(ELEMENT_LINE3);
   TestUntransformed(ELEMENT_TRI3);

@@ -336,7 +336,7 @@ static void TestCorner(ElementType type)
     xi[2 * q + 1] = points[q].xi[1];
     w[q]          = points[q].weight;
   }
-  CHECK(num > 0 && DualBasisCreate(type, num, xi, w, &dual));
+  CHECK(num > 0 && DualBasisCreate(type, num, xi, w, NULL, &dual));
   for (PetscInt i = 0; i < n; i++) {
     PetscReal sum[ELEMENT_MAX_NODES] = {0.}, phi[ELEMENT_MAX_NODES], psi[DUAL_MAX];
 

@@ -233,7 +233,7 @@ static PetscErrorCode TestRays(PetscInt dim)
     }
   }
   Hold(dim, sides, &held);
-  PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, 0.3, &surface));
+  PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, NULL, 0.3, &surface));
   for (PetscInt g = 0; g < surface.num; g++)
     ContactFacetBox(dim, surface.type[g], &surface.coords[g * ELEMENT_MAX_FACET_NODES * dim], boxes[g]);
   for (PetscInt f = 0; f < NUM_NONMORTAR; f++) {
@@ -289,7 +289,7 @@ static PetscErrorCode TestAskew(void)
       }
     }
     Hold(3, sides, &held);
-    PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, 0.2, &surface));
+    PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, NULL, 0.2, &surface));
     for (PetscInt f = 0; f < n; f++) {
       PetscInt        num_hits;
       const PetscInt *hits;
@@ -313,7 +313,7 @@ static PetscErrorCode Search(PetscInt dim, const Side sides[2], PetscReal reach,
 
   PetscFunctionBeginUser;
   Hold(dim, sides, &held);
-  PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, reach, &surface));
+  PetscCall(MortarSurfaceCreate(&held.level, &held.facets[0], &held.facets[1], NULL, NULL, reach, &surface));
   CheckFacets(dim, &sides[1], &surface, place);
   CheckQueries(dim, sides, reach, &surface, place);
   if (held.facets[0].num == 0) CHECK(surface.num == 0);

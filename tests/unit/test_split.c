@@ -123,7 +123,8 @@ static void SetPositions(Split *split, PetscInt before[][BISECT_MAX_VERTICES], P
       for (PetscInt d = 0; d < 2; d++) {
         PetscReal *x = &split->x[2 * mesh->vertex[c][i] + d], at = 0;
 
-        for (PetscInt j = 0; j < Q; j++) at += mesh->place[c][i][j] * split->x[2 * before[mesh->parent[c]][j] + d];
+        for (PetscInt j = 0; j < Q; j++)
+          at += BisectionGetPlace(mesh, c, i)[j] * split->x[2 * before[mesh->parent[c]][j] + d];
         if (mesh->vertex[c][i] < known)
           CHECK_NEAR(*x, at, 1e-13);
         else
@@ -293,9 +294,9 @@ static PetscErrorCode TestMesh(PetscInt n, PetscBool thirds)
 
   PetscFunctionBeginUser;
   SquareCreate(n, thirds, &square);
-  PetscCall(SplitCreate(square.num_vertices, square.num_cells, square.cells, square.facets, &a.mesh));
+  PetscCall(SplitCreate(2, square.num_vertices, square.num_cells, square.cells, square.facets, &a.mesh));
   Shuffle(&square);
-  PetscCall(SplitCreate(square.num_vertices, square.num_cells, square.cells, square.facets, &b.mesh));
+  PetscCall(SplitCreate(2, square.num_vertices, square.num_cells, square.cells, square.facets, &b.mesh));
   memcpy(a.x, square.coords, sizeof(square.coords));
   memcpy(b.x, square.coords, sizeof(square.coords));
   for (PetscInt round = 0; round < NUM_ROUNDS && a.mesh.num_cells < MAX_CELLS / 16; round++) {
@@ -321,7 +322,7 @@ static PetscErrorCode TestLeast(void)
 
   PetscFunctionBeginUser;
   SquareCreate(4, PETSC_FALSE, &square);
-  PetscCall(SplitCreate(square.num_vertices, square.num_cells, square.cells, square.facets, &mesh));
+  PetscCall(SplitCreate(2, square.num_vertices, square.num_cells, square.cells, square.facets, &mesh));
   marked[5] = 1;
   PetscCall(SplitRefine(&mesh, marked));
   CHECK(mesh.num_cells == 19);
