@@ -372,7 +372,12 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list)
     PetscReal       offset[3];
 
     PetscCall(TreeArcsAppend_Private(arcs, dim, list->coords, ends));
-    if (ends[0] < 0 || !TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) continue;
+    if (ends[0] < 0) continue;
+    if (!TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) {
+      // the middle of a face on a side, between the middles of its edges, which may be on arcs
+      if (!TreeIsKept(tree) || arcs->start[v + 1] == arcs->start[v]) continue;
+      PetscCall(PetscArrayzero(offset, dim));
+    }
     for (PetscInt d = 0; d < dim; d++)
       list->coords[v * dim + d] = (list->coords[ends[0] * dim + d] + list->coords[ends[1] * dim + d]) / 2 + offset[d];
   }
