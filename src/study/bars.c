@@ -17,6 +17,7 @@ static const PetscReal LEAST_GAIN = 0.95; /* largest ratio of estimates: nearly 
 static const PetscReal FALLEN     = 0.25; /* of the first estimate: below, fewer meshes are enough */
 static const PetscReal SETTLES    = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
 static const PetscReal GROWN = 0.1; /* part of a stress that it has grown by over BAR_MESHES: it is far from a limit */
+static const PetscReal STRESS_ROUNDING = 1e-9; /* part of its floor below which a stress is zero but for rounding */
 /* Least ratio of an increment to the one before that shows no limit. */
 static const PetscReal STILL_GROWS  = 0.8;
 static const PetscReal SEEN_GROWING = 0.03; /* part of a pressure that it grows by over PEAK_MESHES, at least */
@@ -326,7 +327,9 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
     }
     bars[i] = BarsOfSequence_Private(history, Q);
     if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
-    if (kind == FLOOR_STRESS && BarsStressGrows_Private(history->num, Q)) bars[i] = (PetscReal)NAN;
+    if (kind == FLOOR_STRESS && PetscAbsReal(values[i]) > STRESS_ROUNDING * floor &&
+        BarsStressGrows_Private(history->num, Q))
+      bars[i] = (PetscReal)NAN;
     if (grows) *grows = BarsIsUnbounded_Private(history, path, owner, Q);
     if (grows && *grows) bars[i] = (PetscReal)NAN;
   }

@@ -46,6 +46,7 @@ mortise_scene_test(hertz_axisymmetric CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(page SCENE two_plates CHECK page.py RANKS 1 ARGS ${plates} -adapt 5e-2 -report)
 # The same meshes and numbers on any number of ranks, with either solver, multigrid and a second opinion.
 mortise_scene_test(ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 2e-2)
+mortise_scene_test(ranks_fine LONG SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 5e-3)
 mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # Meshes for a number.
 mortise_scene_test(goal_force LONG SCENE two_plates CHECK goals.py RANKS 1 ARGS ${plates} -adapt_goal force:joint -adapt_goal_tolerance 1e-5)
