@@ -1,8 +1,8 @@
 /* coarsestiffness.c -- the stiffness of a coarser level as P'K P.
 
-   MatPtAP() has every entry of an AIJ copy of K, nine for a pair of nodes in space, and finds out which
-   entries the product has. Here blocks are summed up in the places that coarse cells have. A rank adds
-   what its rows of K give. Couplings to nodes of other ranks count half, since those ranks have them too. */
+   MatPtAP() has every entry of an AIJ copy of K, nine for a pair of nodes in space. It finds out which
+   entries the product has. Here blocks are summed up in the places that coarse cells have. A rank adds what
+   its rows of K give. Couplings to nodes of other ranks count half, since those ranks have them too. */
 #include "base/compat.h"
 #include "problem/cellsums.h"
 #include "problem/coarsestiffness.h"

@@ -33,8 +33,8 @@ typedef struct {
   PetscReal poisson;
 } DilatationCount;
 
-/* Order in h of the energy norm of the error of smooth solutions: that of the cells, but 1 for triangles of
-   order 2 with one theta each. Collective. [out] order - [num_bodies], the same on all ranks */
+/* Order in h of the energy norm of the error of smooth solutions. It is that of the cells, but 1 for
+   triangles of order 2 with one theta each. Collective. [out] order - [num_bodies], the same on all ranks */
 PetscErrorCode ElasticityGetOrders(Scene scene, const Level *level, PetscInt order[]);
 
 /* Collective. [out] counts - [num_bodies], the same on all ranks */

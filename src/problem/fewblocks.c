@@ -1,6 +1,6 @@
 /* fewblocks.c -- see the header.
 
-   Blocks of nodes take a quarter of the bytes of an AIJ matrix: half of them are stored, in half of the
+   Blocks of nodes take a quarter of the bytes of an AIJ matrix. Half of them are stored, in half of the
    precision, with one column for a block. */
 #include "problem/fewblocks.h"
 #include "base/compat.h"

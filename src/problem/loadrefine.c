@@ -27,7 +27,7 @@ static const PetscInt SMALLEST_WORK[MAX_DIM + 1] = {0, 1000000, 1000000, 20000};
 static const PetscInt PIECES[MAX_DIM + 1] = {0, 8, 2, 1}, ROUGH_PIECES[MAX_DIM + 1] = {0, 8, 8, 2},
                                        NEIGHBOUR_PIECES[MAX_DIM + 1] = {0, 8, 8, 4};
 
-/* Permitted difference of two rules, relative to the load on an element or to its share of the total: a tenth
+/* Permitted difference of two rules, relative to the load on an element or to its share of the total. A tenth
    of the accuracy that is promised for totals. */
 static const PetscReal ACCURACY = 1e-11, PROMISED = 1e-10;
 /* From rule to rule, errors of smooth functions fall at least so much. */

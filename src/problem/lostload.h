@@ -4,7 +4,7 @@
 
 #include "mesh/mesh.h"
 
-/* Warns of each load on a side whose displacement is given in the direction of the load: this part goes into
+/* Warns of each load on a side whose displacement is given in the direction of the load. This part goes into
    the support and moves nothing. The warning has side, direction and lost force. No work where no side is
    both fixed and loaded. Collective. */
 PetscErrorCode LostLoadsWarn(Scene scene, Level *level);

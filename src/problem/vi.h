@@ -2,10 +2,10 @@
 
    Uncondensed KKT system, in the user's units:  K u + B'lambda = f,  B u <= G,  lambda >= 0,  lambda.(B u -
    G) = 0, and the fixed directions of the supports. One change of basis u = T y makes the constrained
-   combinations single unknowns:
+   combinations single unknowns, so that only inequalities are left:
        min 1/2 y'A y - b'y   subject to   y_i <= upper_i   where a row of contact has its unknown (row_dof),
-   with A = T'KT and b = T'f, scaled, with unit rows for fixed and tied unknowns: only inequalities are left.
-   A, b, y and upper are dimensionless: u = length * T y, A_user = stiffness * A. */
+   with A = T'KT and b = T'f, scaled. Fixed and tied unknowns have unit rows. A, b, y and upper are
+   dimensionless: u = length * T y, A_user = stiffness * A. */
 #ifndef MORTISE_VI_H
 #define MORTISE_VI_H
 

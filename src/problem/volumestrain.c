@@ -1,6 +1,6 @@
 /* volumestrain.c -- mean dilatation of the cells of a body (eq. 9.1).
 
-   The method is chosen cell by cell: a varying Poisson's ratio adds no work where it is low, and triangles
+   The method is chosen cell by cell. So a varying Poisson's ratio adds no work where it is low, and triangles
    and quadrilaterals of one mesh differ. Nothing is stored: results compute Pi again. */
 #include "base/compat.h"
 #include "problem/volumestrain.h"
