@@ -17,8 +17,8 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
    another load step; [in,out] y, active - as above */
 PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, PetscBool kept, Vec y,
                                       Vec active);
-/* The same without a coarser mesh: one cycle for the initial set goes beyond the bounds and back onto them,
-   others follow until the set does not change. Collective.
+/* The same without a coarser mesh. One cycle for the initial set goes beyond the bounds and back onto them.
+   Others follow until the set does not change. Collective.
    [in] pc - multigrid on the level; [in,out] y - feasible; fixed unknowns have their values;
    [in,out] active - 1 or 0 */
 PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active);

@@ -1,9 +1,9 @@
 /* barycentric.c -- interpolation of a linear function from scattered points.
 
-   The nonnegative weights with the least sum w d^2 are those of the Delaunay simplex around the target: the
-   interpolant of d^2 is the lower hull of a paraboloid [1]. This is a linear program with few rows, solved by
-   the simplex method. Negative weights are separate columns at a higher cost. The initial basis consists of
-   artificial columns at the cost ARTIFICIAL_COST.
+   The nonnegative weights with the least sum w d^2 are those of the Delaunay simplex around the target. For
+   the interpolant of d^2 is the lower hull of a paraboloid [1]. This is a linear program with few rows,
+   solved by the simplex method. Negative weights are separate columns at a higher cost. The initial basis
+   consists of artificial columns at the cost ARTIFICIAL_COST.
 
    References: [1] Edelsbrunner, Algorithms in combinatorial geometry, 1987. */
 #include "multigrid/barycentric.h"

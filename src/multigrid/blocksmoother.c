@@ -225,8 +225,8 @@ static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *gr
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Number of nodes of each label with neighbours of it along all axes, less MAX_THICK_PART times all: on the
-   rank of the node whose number is the label. [in] label - own nodes, then ghosts */
+/* Number of nodes of each label with neighbours of it along all axes, less MAX_THICK_PART times all. It is on
+   the rank of the node whose number is the label. [in] label - own nodes, then ghosts */
 static PetscErrorCode BlockSmootherSumThick_Private(Stencil *stencil, const PetscReal label[], Vec sum)
 {
   PetscFunctionBeginUser;

@@ -14,8 +14,8 @@
    with X the rows h of T^-1. G_hh is small and sparse, and is factored. Displacements that are fixed along
    axes are excluded: D^-1 is 0 there.
 
-   With blocks of couplings S_u in place of D, an active set changes G_hh alone, as long as few rows of X meet
-   in one block. In T'S_u T contact couples the blocks of both bodies. */
+   With blocks of couplings S_u in place of D, an active set changes G_hh alone while few rows of X meet in
+   one block. In T'S_u T contact couples the blocks of both bodies. */
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/envelopecompliance.h"

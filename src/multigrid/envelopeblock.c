@@ -1,8 +1,8 @@
 /* envelopeblock.c -- see the header.
 
-   In the order of Cuthill and McKee, the factor of a line or a plane of nodes is filled anyway: from the
-   first entry of a row to the diagonal [1]. Rows are stored from there on. The time of a solution is that of
-   reading the factor.
+   In the order of Cuthill and McKee, the factor of a line or a plane of nodes is filled anyway. The entries
+   reach from the first one of a row to the diagonal [1]. Rows are stored from there on. The time of a
+   solution is that of reading the factor.
 
    References: [1] George, Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter
    4. */

@@ -7,7 +7,7 @@
 enum { ENVELOPE_TILE = 4 }; /* rows and columns of a tile */
 
 /* Rows of L in tiles. A panel has the tiles of ENVELOPE_TILE rows, from the first one that is not 0 to the
-   diagonal one, of which it has the inverse. Edges are rows of another block that couple to this one: their
+   diagonal one. Of this it has the inverse. Edges are rows of another block that couple to this one: their
    panels have the columns of this block alone. Panels are filled up by rows of the identity, or of zeros. */
 typedef struct {
   PetscInt   references;

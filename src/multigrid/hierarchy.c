@@ -21,7 +21,7 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
 
 /* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
    gain little. Bisected cells form no lines of strong couplings. Two plates of cells 1 to 10 times as long as
-   wide take 1.3 times the iterations with the diagonal, and each costs a third to two thirds. */
+   wide take 1.3 times the iterations with the diagonal. Each costs a third to two thirds. */
 static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, PetscInt l, const Operator *op, Mat *S)
 {
   PetscBool diagonal = PETSC_FALSE, round = (PetscBool)(input->parts && input->round);
@@ -45,7 +45,7 @@ static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, Pet
 }
 
 /* Whether the largest eigenvalue of a level is that of the next one, too, if cells there are parts of its
-   cells: with n cells along an edge it lacks O(1/n^2) of its limit. */
+   cells. With n cells along an edge it lacks O(1/n^2) of its limit. */
 static PetscBool HierarchyTellsLargest_Private(const HierarchyLevel *level)
 {
   static const PetscInt MANY = 10000; /* unknowns */

@@ -25,11 +25,11 @@
 static const char CONTEXT[] = "MortiseMultigrid"; /* name under which the context is composed */
 
 /* Smoothing steps on the two finest levels, and the lower end of the smoothed spectrum relative to its upper
-   end. Each coarser level has one step more than the one above it [2]: their cost is small, and iterations do
+   end. Each coarser level has one step more than the one above it [2]. Their cost is small, and iterations do
    not grow with the number of levels. */
 enum { SMOOTHING_STEPS = 3 };
 static const PetscReal SMOOTHED_FROM = 0.07;
-/* The same over cells of order 1 of nearly incompressible bodies: displacements that keep the volume of each
+/* The same over cells of order 1 of nearly incompressible bodies. Displacements that keep the volume of each
    cell extend beyond a patch of one cell. One square of 32 x 32 cells, nu = 0.4999: 48 iterations with three
    steps from 0.1, 26 with these, 17 with eight from 0.01. */
 enum { SMOOTHING_STEPS_CELLS = 5 };

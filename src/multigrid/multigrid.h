@@ -36,8 +36,8 @@ PetscErrorCode MultigridGetHierarchy(PC pc, Hierarchy *hierarchy);
 PetscErrorCode MultigridGetForces(PC pc, Vec y, PetscReal *size, PetscReal *energy);
 /* Starts a new estimate of the error. Not collective. */
 PetscErrorCode MultigridResetError(PC pc);
-/* Estimates the order of magnitude of e'A e for the error e of the last iterate: r'B r of the iterate before,
-   times the last reduction of r'B r. PETSC_MAX_REAL before the first cycle. Not collective. */
+/* Estimates the order of magnitude of e'A e for the error e of the last iterate. It is r'B r of the iterate
+   before, times the last reduction of r'B r. PETSC_MAX_REAL before the first cycle. Not collective. */
 PetscErrorCode MultigridGetError(PC pc, PetscReal *square);
 
 #endif

@@ -1,6 +1,6 @@
 /* nodelevels.c -- levels of nodes, where there is no coarser mesh.
 
-   They are made from the stiffness K of the bodies alone, in displacements u, where bodies do not couple:
+   They are made from the stiffness K of the bodies alone, in displacements u, where bodies do not couple. So
    they do not depend on the active set. With P_0 from displacements of coarse nodes to u,
 
        P = T^-1 P_0,   P'A P = P_0'K P_0,

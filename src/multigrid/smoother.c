@@ -1,9 +1,9 @@
 /* smoother.c -- the smoother: blocks of couplings, or the diagonal.
 
-   Where cells are much longer than wide, an error may vary slowly along the short edges and be no smooth
-   function on the coarser level [1]. Smoothing must then solve for the couplings along short edges, in lines
-   and planes of nodes (blocksmoother.c). S_u is K without couplings between blocks: definite like K, with
-   sparse factors. Nodes without block have their diagonal.
+   Where cells are much longer than wide, an error may vary slowly along the short edges. It may then be no
+   smooth function on the coarser level [1]. Smoothing must then solve for the couplings along short edges, in
+   lines and planes of nodes (blocksmoother.c). S_u is K without couplings between blocks: definite like K,
+   with sparse factors. Nodes without block have their diagonal.
 
    These are couplings of displacements u. The unknowns are y, u = T y, and an unknown of the mortar side
    moves the nonmortar side as well. S = T'S_u T contains the stiffness of that side, and lines that continue
