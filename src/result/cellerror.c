@@ -29,8 +29,8 @@ typedef struct {
   ElementRule       *stiffness; /* of every type of cell, for Pi */
 } Comparison;
 
-/* In the plane four points in each direction for order 1, five for order 2: leaves four orders of h beyond
-   the error of a smooth solution. In space one less, and two orders of h: every point costs thirteen
+/* In the plane four points in each direction for order 1, five for order 2. This leaves four orders of h
+   beyond the error of a smooth solution. In space one less, and two orders of h: every point costs thirteen
    evaluations of the exact solution. */
 static PetscInt CellErrorDegree_Private(ElementType type)
 {
@@ -67,7 +67,8 @@ static void CellErrorInterpolate_Private(const Level *level, PetscInt c, const P
 }
 
 /* Strain of a displacement u with gradient g at x. Near x it is u + sum_k dx_k g_k: one "node" for the value,
-   whose shape function is 1, and one for each direction, whose shape functions are the coordinates from x. */
+   whose shape function is 1, and one for each direction. The shape functions of these are the coordinates
+   from x. */
 static void CellErrorGetStrain_Private(Scene scene, const PetscReal x[], const PetscReal u[], const PetscReal g[],
                                        PetscReal strain[])
 {

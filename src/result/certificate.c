@@ -9,12 +9,12 @@
        f + R + C_obstacle = K u + B'lambda_mesh + r_free.
    K u has neither resultant nor moment: rigid motions, with rotations, are its kernel. The contact forces
    between two meshes have no resultant: row sums of D and M agree. Their moment vanishes on flat or touching
-   sides. On curved sides with a gap a discretisation error remains, because a nodal normal is not the
-   direction of the ray at every point (Puso & Laursen 2004 discuss the same). That part is known exactly, is
-   reported, and is subtracted before the test: it depends on the mesh, not on the solution of the discrete
-   problem. Ties transfer force and moment, across a gap as well (eq. 5.4): their moment stays in the test.
-   Forces on a ring add up to one along its axis: radial components and all moments are 0 by symmetry, and so
-   are the tests of them. */
+   sides. On curved sides with a gap a discretisation error remains. A nodal normal is not the direction of
+   the ray at every point (Puso & Laursen 2004 discuss the same). That part is known exactly, is reported, and
+   is subtracted before the test. It depends on the mesh, not on the solution of the discrete problem. Ties
+   transfer force and moment, across a gap as well (eq. 5.4): their moment stays in the test. Forces on a ring
+   add up to one along its axis. Radial components and all moments are 0 by symmetry, and so are the tests of
+   them. */
 #include "kernel/vector.h"
 #include "result/certificate.h"
 #include "base/compat.h"
@@ -256,7 +256,7 @@ static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, 
 }
 
 /* The force of a row of contact: a pressure on a weight below zero pulls. An open row has the remaining
-   residual of the solver, which the test of tension measures: sides that do not meet have no forces to
+   residual of the solver, which the test of tension measures. Sides that do not meet have no forces to
    compare it with. */
 static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
 {

@@ -26,7 +26,7 @@ static const PetscReal ACROSS = 0.70710678118654752;
 /* The mortar side is larger if it is so by more than this part of a facet. Curved sides that end together
    differ by less. */
 static const PetscReal BEYOND_PART = 0.1;
-/* Largest exponent e of a pressure r^-e at an edge that does not matter: ten halvings of the cells raise the
+/* Largest exponent e of a pressure r^-e at an edge that does not matter. Ten halvings of the cells raise the
    pressure by less than a tenth, 2^(10 e) < 1.1. */
 static const PetscReal EXPONENT_SHOWS = 0.01375;
 /* The vector of CoarseContactFindEnds_Private() that counts as zero, relative to the length of edges. */

@@ -1,7 +1,8 @@
 /* contactpatches.c -- connected components of nodes in contact, and the integrals over them.
 
    Each rank joins the nodes of its own facets. Patches that go on across ranks exchange the largest global
-   number of their nodes until none changes: as often as a patch crosses a boundary between ranks. */
+   number of their nodes until none changes. This takes as many exchanges as a patch crosses boundaries
+   between ranks. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/disjointsets.h"

@@ -1,8 +1,8 @@
 /* energybalance.c -- work, stored energy and dissipation of a load step.
 
-   The change of the strain energy of linear bodies is the mean of the internal forces K u before and after,
-   times the change of the displacement. This is exact. The work of the contact forces is computed in the same
-   way; its part beyond the dissipation is the defect. */
+   The strain energy of linear bodies changes by the mean of the internal forces K u before and after, times
+   the change of the displacement. This is exact. The work of the contact forces is computed in the same way;
+   its part beyond the dissipation is the defect. */
 #include "base/compat.h"
 #include "result/energybalance.h"
 #include "result/frictionfields.h"

@@ -6,7 +6,7 @@
 #include "result/pressureerror.h"
 #include "kernel/vector.h"
 
-/* Exact and given displacements may differ by this part of the largest exact one: numbers that people write
+/* Exact and given displacements may differ by this part of the largest exact one. Numbers that people write
    have fewer digits than those of the machine. */
 static const PetscReal GIVEN_TOLERANCE = 1e-6;
 

@@ -1,7 +1,7 @@
 /* errors.h -- errors against exact solutions.
 
-   With e = u_h - u over a body. The error of integration is negligible, also near singular points of the
-   exact solution:
+   With e = u_h - u. The error of integration is negligible, also near singular points of the exact solution.
+   Over a body
        l2^2 = int |e|^2,   energy^2 = int eps(e) : C eps(e),
    and for the pressure p_h = sum p_a phi_a that is written out, over the facets of the nonmortar side that
    carry one (eq. 15.1),
@@ -36,9 +36,9 @@ PetscErrorCode ErrorsCheck(VI vi);
 PetscErrorCode ErrorsCompute(Fields fields, Errors *errors);
 PetscErrorCode ErrorsDestroy(Errors *errors);
 
-/* The same norms of the difference of two displacements on one level: l2 and energy of u - v over each body,
-   relative to those of v. Collective. [in] u, v - ghosted; [out] body - [num_bodies]; [out] total - of all
-   bodies together */
+/* The same norms of the difference of two displacements on one level. They are l2 and energy of u - v over
+   each body, relative to those of v. Collective. [in] u, v - ghosted; [out] body - [num_bodies]; [out] total
+   - of all bodies together */
 PetscErrorCode ErrorsComputeDifference(Scene scene, Level *level, Vec u, Vec v, BodyError body[], BodyError *total);
 
 #endif

@@ -44,8 +44,8 @@ typedef struct {
    and J are not set. Collective.
    [in] fields - vi, u, stress and lambda are used; [out] estimate - to be freed by EstimateDestroy() */
 PetscErrorCode EstimateCreateFrozen(Fields fields, const EstimateFrozen *frozen, Estimate *estimate);
-/* The error in the energy norm with a calibration theta (eq. 15.4), and that over the norm of the solution: 1
-   where contact was missed and there is none, 0 where there is none to be had. Not collective. */
+/* The error in the energy norm with a calibration theta (eq. 15.4), and that over the norm of the solution.
+   It is 1 where contact was missed and there is none, 0 where there is none to be had. Not collective. */
 PetscReal EstimateGetError(const Estimate estimate, PetscReal theta);
 PetscReal EstimateGetRelative(const Estimate estimate, PetscReal theta);
 /* At nodes: the root of eta^2 per volume of the cells around. Collective. [out] density - owned by the caller

@@ -2,7 +2,7 @@
 
    Recovery does not detect that two sides do not fit: a stiff nonmortar body has hardly any stress while its
    partner penetrates its coarse side. What the sides' tractions and gaps leave is taken as a half space takes
-   a wave of the facet's size: it resists a displacement of wave number k with E' k / 2, k = pi / h. */
+   a wave of the facet's size. It resists a displacement of wave number k with E' k / 2, k = pi / h. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/frame.h"

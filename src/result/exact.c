@@ -7,8 +7,8 @@
 
    The step balances the two errors of a difference. The error of truncation is s^4 / 30 times f^(5) in the
    cell. With s = 5e-4 this is 2e-15 if f changes over the length of one cell. It is below 1e-9 at a twentieth
-   of a cell from a point where f behaves like r^(1/2). The error of rounding is 1.5 eps / s of the value:
-   relative to the change of f over a cell, 1e-12 times the number of cells over which f changes. */
+   of a cell from a point where f behaves like r^(1/2). The error of rounding is 1.5 eps / s of the value.
+   Relative to the change of f over a cell it is 1e-12 times the number of cells over which f changes. */
 #include "result/exact.h"
 #include "base/compat.h"
 

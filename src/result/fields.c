@@ -13,12 +13,12 @@
 /* A bound counts as reached within this part of the largest unknown: pdas reaches it exactly, vinewtonrsls to
    its zero tolerance of 1e-12. */
 static const PetscReal CLOSED_TOLERANCE = 1e-10;
-/* A node presses if its pressure exceeds this part of the largest one: below, touching without pressure (a
-   tie) cannot be told from an open node (the same limit decides which contacts hold a floating body). */
+/* A node presses if its pressure exceeds this part of the largest one. Below, touching without pressure (a
+   tie) cannot be told from an open node. The same limit decides which contacts hold a floating body. */
 static const PetscReal PRESSED_TOLERANCE = 1e-9;
 
 /* A nonmortar side at rest may be the sum of two large motions, its own relative one and that of the mortar
-   side: bodies that a pair joins, directly or through others, share the largest displacement. */
+   side. So bodies that a pair joins, directly or through others, share the largest displacement. */
 static void FieldsShareLargest_Private(Scene scene, PetscReal body_max[])
 {
   for (PetscInt round = 0; round < scene->num_pairs; round++) {
@@ -144,7 +144,7 @@ static PetscErrorCode FieldsAddPairMoment_Private(Fields fields, PetscInt p, Pet
 }
 
 /* int psi_a (1, x) = D_aa (1, x_a) + sum_c D_ac (1, x_c): the dual functions of removed nodes c were given to
-   their neighbours, and with them their share of the side. */
+   their neighbours. With them went their share of the side. */
 static PetscErrorCode FieldsSetRowMoments_Private(Fields fields)
 {
   PetscFunctionBeginUser;

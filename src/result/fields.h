@@ -66,11 +66,11 @@ typedef struct {
 
 /* Nodal values of pair p. Collective. [out] nodal - owned by the caller, PairFieldsDestroy() */
 PetscErrorCode PairFieldsCreate(Fields fields, PetscInt p, PairFields *nodal);
-/* Values at nodes with multipliers of a pair, for all of its side: at removed nodes the mean of the
-   neighbours that took over, at nodes that hang those of the nodes that they hang on. Collective.
+/* Values at nodes with multipliers of a pair, for all of its side. Removed nodes get the mean of the
+   neighbours that took over, nodes that hang those of the nodes that they hang on. Collective.
    [in,out] nodal, covered - [num_owned] */
 PetscErrorCode PairFieldsSpread(const Pair pair, PetscReal nodal[], PetscBool covered[]);
-/* Takes the pressure from nodes beyond the partner's end, for files and pictures: it is that of the covered
+/* Takes the pressure from nodes beyond the partner's end, for files and pictures. It is that of the covered
    sliver of a facet, which ends before the node. Not collective. */
 void           PairFieldsOmitBeyond(const Pair pair, PairFields *nodal);
 PetscErrorCode PairFieldsDestroy(PairFields *nodal);

@@ -231,7 +231,7 @@ static PetscErrorCode FrictionFieldsMoveMortar_Private(VI vi, PetscInt p, PetscR
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether friction is lost along the held direction j of node a of a pair: its mortar nodes are free, or
+/* Whether friction is lost along the held direction j of node a of a pair. Its mortar nodes are free then, or
    supports move the two sides along each other. On a plane of symmetry both are held, with the same value.
    [in] share, moved - of the functions above, or NULL for an obstacle */
 static PetscBool FrictionFieldsIsLost_Private(const Support *support, const Pair pair, PetscInt a, PetscInt j,
@@ -300,7 +300,7 @@ PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, 
 /* What is added over nodes. */
 enum { ADD_FORCE, ADD_AREA = ADD_FORCE + 3, ADD_SLIPPING, ADD_DISSIPATION, ADD_COUNT };
 
-/* Area in contact of a pair on this rank, with nodes that supports hold along the sides: on a plane of
+/* Area in contact of a pair on this rank, with nodes that supports hold along the sides. On a plane of
    symmetry they do not slip. */
 static PetscReal FrictionSumArea_Private(Fields fields, PetscInt p, const PetscReal lambda[])
 {

@@ -1,10 +1,10 @@
 /* gapdiscontinuity.c -- nodes whose mean gap is less than every gap around them.
 
-   G_a / D_aa is a mean with weights psi_a, which are negative in part: right for gaps that are linear on a
-   facet, and too small by some h^2 / (12 R) where a curve comes nearest. The gap may have a step or a sharp
-   bend within a facet: a formula that jumps, a groove or a chamfer of the other side. There the mean may be
-   far below all values of the gap. Contact then acts as if bodies overlapped. In scenes whose facets follow
-   their curves it is less than a thousandth of the displacements. */
+   G_a / D_aa is a mean with weights psi_a, which are negative in part. It is right for gaps that are linear
+   on a facet, and too small by some h^2 / (12 R) where a curve comes nearest. The gap may have a step or
+   sharp bend within a facet, from a formula that jumps, or a groove or chamfer of the other side. There the
+   mean may be far below all values of the gap. Contact then acts as if bodies overlapped. In scenes whose
+   facets follow their curves it is less than a thousandth of the displacements. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "result/gapdiscontinuity.h"
@@ -12,8 +12,8 @@
 
 /* Such an overlap is reported above this part of the largest displacement along the normals. */
 static const PetscReal SHOWS = 0.1;
-/* The part of coordinates, gaps and radii, of which gaps are differences, below which an overlap is their
-   rounding: a mean over some hundred points, with weights of either sign. */
+/* Gaps are differences of coordinates, gaps and radii. Below this part of them an overlap is their rounding:
+   a mean over some hundred points, with weights of either sign. */
 static const PetscReal GAP_ROUNDING = 256 * PETSC_MACHINE_EPSILON;
 /* Overlaps that differ by less than this part count as equal: the reported place does not depend on the
    number of ranks. */

@@ -52,8 +52,8 @@ static PetscReal GoalGetCellSize_Private(const Level *level, PetscInt c)
   return PetscSqrtReal(squared);
 }
 
-/* The cells of a body that hold a place, all of them where it lies on their sides: no number of ranks is to
-   make a difference. Collective.
+/* The cells of a body that hold a place. Where it lies on their sides, these are all of them, so that the
+   number of ranks makes no difference. Collective.
    [in,out] marked - [num_cells], or NULL; [out] size - the largest of theirs */
 static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[],
                                             PetscReal *size)

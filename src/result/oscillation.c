@@ -1,6 +1,6 @@
 /* oscillation.c -- data between the points of a mesh.
 
-   A body force with as many waves as there are cells does no work on their shape functions: the displacement
+   A body force with as many waves as there are cells does no work on their shape functions. The displacement
    is zero, and so is its recovered stress. The first omitted wave has the number k = pi / h. A body resists
    it with E' k^2, a half space with E' k / 2. */
 #include "result/oscillation.h"

@@ -1,6 +1,6 @@
 /* pairsum.c -- force, area, extent and centre of pressure of one pair.
 
-   With p_h = sum p_a psi_a: integral of p_h n = sum_a W_a p_a n_a, W_a = int psi_a = D_aa + sum_c D_ac, This
+   With p_h = sum p_a psi_a: integral of p_h n = sum_a W_a p_a n_a, W_a = int psi_a = D_aa + sum_c D_ac. This
    is the sum of -B'lambda on the nonmortar body. By the row sums of D and M its negative acts on the mortar
    side. */
 #include "result/pairsum.h"
@@ -13,8 +13,8 @@ enum { MAX_PRESSURE, MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER +
 /* Pressures that differ by less than this part are equal. Then symmetric scenes have the same place of the
    largest one on any number of ranks. */
 static const PetscReal SAME_PRESSURE = 1e-9;
-/* Where both sides end in the same place, their facets may cut corners of each other: at a round rim by the
-   sagitta of an edge, on coarse meshes by a twelfth of a cell. Neither is then an edge that presses into the
+/* Where both sides end in the same place, their facets may cut corners of each other. At a round rim this is
+   the sagitta of an edge, on coarse meshes a twelfth of a cell. Neither is then an edge that presses into the
    other. */
 static const PetscReal RIM_SHARE = 0.1;
 

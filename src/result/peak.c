@@ -55,8 +55,8 @@ static PetscErrorCode PeakCreateNodal_Private(Fields fields, PetscInt p, Vec *no
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest change of slope of a gap between steps of a part of a facet in the plane, which becomes the two
-   steps around it.
+/* The largest change of slope of a gap between steps of a part of a facet in the plane. That part becomes the
+   two steps around it.
    [in] X - of the facet; [in,out] from, to - reference coordinates of the ends of the part; [out] change */
 static PetscErrorCode PeakZoom_Private(Expression gap, ElementType type, const PetscReal X[], PetscReal *from,
                                        PetscReal *to, PetscReal *change)

@@ -5,7 +5,7 @@
 #include "result/fields.h"
 
 /* Sums of reactions by boundary. Where two boundaries fix the same direction of a node, each takes int phi_a
-   s* n over its own facets, and equal parts of what is left. All of a body's boundaries follow each other,
+   s* n over its own facets. What is left is shared equally. All of a body's boundaries follow each other,
    loads among them with zero. Collective.
    [in] fields - NULL where nothing is known: NAN;
    [in] nodal - of CertificateCompute(); [out] sums - [boundaries of all bodies][dim], owned by the caller,

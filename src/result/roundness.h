@@ -5,7 +5,7 @@
 #include "rigid/solvability.h"
 
 /* Whether all contact forces that balance the loads (solvability->y) act where a side, or the obstacle it
-   meets, is curved and smooth: what rests there rolls, and what rests at an edge tips. Collective. */
+   meets, is curved and smooth. A body that rests there rolls; one that rests at an edge tips. Collective. */
 PetscErrorCode RoundnessCarriesLoads(VI vi, Solvability solvability, PetscBool *round);
 
 #endif

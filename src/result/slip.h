@@ -4,7 +4,7 @@
 
 #include "result/fields.h"
 
-/* (D u~ + D_other u~ - M u)_a over the sum of the row of D: the mean displacement of the nonmortar side
+/* (D u~ + D_other u~ - M u)_a over the sum of the row of D. It is the mean displacement of the nonmortar side
    around a node less that of the mortar side that faces it (eq. 11.6), u~ as in pair.h. An obstacle does not
    move. Collective. [out] relative - [pair->num][dim] */
 PetscErrorCode SlipComputeRelative(Fields fields, PetscInt p, PetscReal relative[]);

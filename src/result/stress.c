@@ -1,7 +1,7 @@
 /* stress.c -- stresses at nodes, recovered from the points of highest accuracy.
 
    Derivatives of a finite element solution are one order more accurate at certain points of a cell than
-   elsewhere: in its middle for order 1, at the 2 x 2 Gauss points of quads of order 2, nearly so at three
+   elsewhere. These are its middle for order 1, the 2 x 2 Gauss points of quads of order 2, nearly also three
    points within a triangle (Barlow 1976; Zienkiewicz & Zhu 1992). Stresses are evaluated there and
    extrapolated to the cell's nodes by the polynomial through these points: constant for order 1, linear or
    bilinear for order 2. At a node they are averaged over its cells, with their volumes as weights. Nodes

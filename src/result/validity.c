@@ -28,7 +28,7 @@ static const struct {
 };
 static const char *const COLOURS[] = {"unknown", "green", "amber", "red"};
 
-/* Strain and rotation are those that this part of a body's strain energy exceeds: at a corner of infinite
+/* Strain and rotation are those that this part of a body's strain energy exceeds. At a corner of infinite
    stress the largest ones grow without limit as cells get smaller. A rotation moves all that hangs on a
    place, so that less is left out of it. Chosen so that two plates on any mesh have what the maxima are on 32
    x 32 and 24 x 24 cells, to 20 per cent. */
@@ -239,7 +239,7 @@ static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, 
 
 /* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its
    partner is measured on the way: errors grow with the square of the displacement. What is off by as much as
-   the way itself is no such error: at the rim of a partner another part of a facet is met. Collective. */
+   the way itself is no such error. At the rim of a partner another part of a facet is met. Collective. */
 static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pair, PairState *state)
 {
   const VI  vi    = fields->vi;
