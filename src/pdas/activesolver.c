@@ -58,8 +58,8 @@ PetscErrorCode ActiveSolverResidual(ActiveSolver solver, const PetscBool fixed[]
 }
 
 /* With D = diag(A) and the roundoff |e_j| <= epsilon |y_j| / 2 of y,  |A e|_D^-1 <= m epsilon / 2 |y|_D, m
-   the largest eigenvalue of D^-1 A: two to four for most cells, more in the basis of contact. Stiff bodies on
-   soft ones move far at small stresses: there it may exceed rtol. */
+   the largest eigenvalue of D^-1 A. It is two to four for most cells, more in the basis of contact. Stiff
+   bodies on soft ones move far at small stresses: there it may exceed rtol. */
 PetscErrorCode ActiveSolverSuffices(ActiveSolver solver, Vec y, PetscReal size, PetscReal reference,
                                     PetscBool *suffices)
 {

@@ -49,8 +49,8 @@ PetscErrorCode MumpsMemoryCheck(KSP ksp);
    destroyed. Collective. */
 PetscErrorCode MumpsMemoryIncrease(SNES snes, PetscBool *again);
 
-/* An ordering of pivots by nested dissection of the graph of A's blocks, with C last: half the operations of
-   a minimum degree ordering in 3D. Collective.
+/* An ordering of pivots by nested dissection of the graph of A's blocks, with C last. It takes half the
+   operations of a minimum degree ordering in 3D. Collective.
    [in] C - the same on all ranks [num];
    [out] position - from 1, of every unknown, on the first rank [N of A] */
 PetscErrorCode DissectionOrder(Mat A, PetscInt num, const PetscInt C[], PetscInt position[]);

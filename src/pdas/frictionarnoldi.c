@@ -4,8 +4,8 @@
 #include <petscblaslapack.h>
 
 /* Numbers of steps: RHO_FIRST suffice if rho is tiny, RHO_FEW if it is small or settled; RHO_STEPS is the
-   limit. It has settled if RHO_CALM steps in a row, as eigenvalues come in pairs, change it by less than
-   RHO_SETTLES of itself or RHO_DISTANT of its distance from 1: rho tells whether it is below. */
+   limit. It has settled if RHO_CALM steps in a row (eigenvalues come in pairs) change it by less than
+   RHO_SETTLES of itself or RHO_DISTANT of its distance from 1. What matters is whether it is below 1. */
 enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_CALM = 2, RHO_STEPS = 24 };
 static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
 

@@ -68,7 +68,7 @@ static PetscErrorCode FrictionIterationCreate_Private(PDAS *pdas, FrictionMethod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Newton's method. If it fails, once more from the same y without sweeps or proximal steps: where there are
+/* Newton's method. If it fails, once more from the same y without sweeps or proximal steps. Where there are
    several solutions these may lead to and fro between them. */
 static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec y)
 {

@@ -12,8 +12,8 @@ static const PetscReal FRICTION_RTOL = 1e-10;
    LEAST_FORCING. */
 static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5, LAST_FORCING = 0.2,
                        LEAST_FORCING = 1e-9;
-/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual, and
-   begins anew without proximal steps after SWEPT_PATIENCE of them. */
+/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. After
+   SWEPT_PATIENCE of them it begins anew without proximal steps. */
 enum { PATIENCE = 40, SWEPT_PATIENCE = 10 };
 static const PetscReal DESCENT = 0.9;
 /* Tolerance of coarser levels: their solution is only an initial guess. They need no rho, which costs as much

@@ -14,7 +14,7 @@
    BISECTIONS: their number for the part. */
 static const PetscReal OVERSHOOT = 0.1;
 /* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of their way
-   in a shortened step: in space a step passes the end of slip at a distance. Relative to the whole step, all
+   in a shortened step. In space a step passes the end of slip at a distance. Relative to the whole step, all
    units of a body that slides freely would stick. */
 static const PetscReal SLIP_ENDS = 0.02;
 enum { SLOW_STEPS = 6 };

@@ -9,7 +9,7 @@
 
 /* Tolerances of ties, relative to the largest value and force, as of frictionless contact. */
 static const PetscReal TIE_FRICTION = 1e-11;
-/* After SINGLE_STEPS steps in a row that do not descend, one unit at a time changes: sets of changes may
+/* After SINGLE_STEPS steps in a row that do not descend, one unit at a time changes. Sets of changes may
    follow each other in a cycle [1]. */
 enum { SINGLE_STEPS = 10 };
 /* G / |q^| counts as at most this: the resistance to turning stays finite where slip begins. */

@@ -15,9 +15,9 @@ static const PetscInt MAX_PLAIN_STEPS = 30;
 /* Residual at which an inexact solution is first evaluated, and its factor each time the solution confirms
    the set. */
 static const PetscReal FIRST_RESIDUAL = 1e-2, RESIDUAL_FACTOR = 0.03;
-/* The system was too inexact if a step changes more than CHANGES_FACTOR of the changes before, and more than
-   ENTERING_PART of its changes enter the set. A set that only shrinks loses one ring of nodes in each step,
-   however exact the system. */
+/* The system was too inexact on two conditions. A step changes more than CHANGES_FACTOR of the changes
+   before, and more than ENTERING_PART of its changes enter the set. A set that only shrinks loses one ring of
+   nodes in each step, however exact the system. */
 static const PetscReal CHANGES_FACTOR = 0.7, ENTERING_PART = 0.25;
 /* Threshold of a set in a vector, which has 1 and 0. */
 static const PetscReal ACTIVE_FROM = 0.5;
