@@ -21,7 +21,7 @@ PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive);
 /* Collective. */
 PetscErrorCode AdaptiveDestroy(Adaptive *adaptive);
 /* Solves at the scene's time. With load steps, the last five meshes of the time before are solved on first,
-   with their factors: then there are bars without a new mesh. Refines the latest mesh while the error is too
+   with their factors. Then there are bars without a new mesh. Refines the latest mesh while the error is too
    large; never coarsens. Collective.
    [in] guess - initial guess of the displacement, or NULL;
    [in,out] run - NULL at the first time, else that of the last time; then that of the latest mesh */

@@ -21,13 +21,13 @@ static const PetscReal STRESS_ROUNDING = 1e-9; /* part of its floor below which 
 /* Least ratio of an increment to the one before that shows no limit. */
 static const PetscReal STILL_GROWS  = 0.8;
 static const PetscReal SEEN_GROWING = 0.03; /* part of a pressure that it grows by over PEAK_MESHES, at least */
-/* A pressure grows as at a corner if it is the size of facets there to a power of at most -CORNER_POWER: of
-   two equal bodies with a square edge it is -0.23, of a rigid punch -0.5, and -0.66 on its first meshes.
-   Faster growth is that of meshes that have yet to find the contact. Facets are at most CORNER_FACET of the
-   extent of contact, and at most CORNER_REFINED of those of the mesh before. */
+/* A pressure grows as at a corner if it is the size of facets there to a power of at most -CORNER_POWER. The
+   power is -0.23 for two equal bodies with a square edge, -0.5 for a rigid punch, and -0.66 on its first
+   meshes. Faster growth is that of meshes that have yet to find the contact. Facets are at most CORNER_FACET
+   of the extent of contact, and at most CORNER_REFINED of those of the mesh before. */
 static const PetscReal CORNER_POWER = 0.2, CORNER_MOST = 0.7, CORNER_FACET = 0.1, CORNER_REFINED = 0.6;
-/* Least ratio of its growth over two halvings of facets to that over the two before: 0.25 if the error is of
-   order h, 1 if it is that of a logarithm. */
+/* Least ratio of its growth over two halvings of facets to that over the two before. It is 0.25 if the error
+   is of order h, 1 if it is that of a logarithm. */
 static const PetscReal CORNER_GROWS = 0.6;
 
 /* The floor of a number: its least bar. */
@@ -241,7 +241,7 @@ static PetscBool BarsEdgeGrows_Private(const BarHistory *history, PetscInt p, co
 }
 
 /* Whether a largest pressure has no limit. What earlier meshes showed of a corner holds until PEAK_DOUBTS
-   smaller sizes of facets do not show it: where contact ends between nodes, single meshes tell less.
+   smaller sizes of facets do not show it. Where contact ends between nodes, single meshes tell less.
    [in] path - of the pressure; [in] p - its pair */
 static PetscBool BarsIsUnbounded_Private(const BarHistory *history, const BarPath *path, PetscInt p,
                                          const PetscReal Q[])
@@ -267,9 +267,9 @@ static PetscBool BarsIsUnbounded_Private(const BarHistory *history, const BarPat
   return PETSC_FALSE;
 }
 
-/* Whether a stress grows as at a corner, where it is unbounded: over the last two meshes nearly as much as
-   over the two before, and visibly. Cells around a probe are not bisected for each mesh, so single increments
-   tell less. */
+/* Whether a stress grows as at a corner, where it is unbounded. It does so over the last two meshes nearly as
+   much as over the two before, and visibly. Cells around a probe are not bisected for each mesh, so single
+   increments tell less. */
 static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
 {
   const PetscReal last   = num > BAR_MESHES ? PetscAbsReal(Q[num - 1]) : 0;

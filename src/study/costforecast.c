@@ -9,8 +9,8 @@
    sizes of studies. In space they would grow faster, but multigrid replaces large factorizations. */
 static const PetscReal GROWTH[] = {1.15, 1};
 /* B in bytes, by order 1 and 2. In the plane: measured with MUMPS on quadrilaterals, 2000 to 800000 unknowns.
-   In space, a value between those of factors of hexahedra, up to 12000 and 15000 with 30000 unknowns, and of
-   multigrid, 2400 (order 1, 40000 to 300000 unknowns). */
+   In space, a value between those of factors of hexahedra and of multigrid. The first are up to 12000 and
+   15000 with 30000 unknowns, the second 2400 (order 1, 40000 to 300000 unknowns). */
 static const PetscReal BYTES[][2] = {{550, 700}, {6000, 12000}};
 static const PetscReal MEGABYTE = 1048576, GIGABYTE = 1073741824;
 /* A measured B is used up to this factor from the one above. */
