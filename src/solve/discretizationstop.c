@@ -1,7 +1,7 @@
 /* discretizationstop.c -- stopping when the error of the solver is small beside the discretization error (eq.
    14.7).
 
-   The difference from the solution of the next coarser level estimates the discretization error: if the
+   The difference from the solution of the next coarser level estimates the discretization error. If the
    squares of these differences fall by rho per level, |u - u_h|_K^2 is 1/(rho - 1) times |u_h - u_2h|_K^2
    [1]. Three levels determine rho. During the iteration rho = 4^p of smooth solutions is assumed for order p.
    At corners and at the ends of contact this demands too much rather than too little.

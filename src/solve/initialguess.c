@@ -89,7 +89,7 @@ static PetscErrorCode InitialGuessStartFrom_Private(VI vi, Vec guess, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moves y into its bounds, and onto them if it is close: PETSc's types leave an unknown within their zero
+/* Moves y into its bounds, and onto them if it is close. PETSc's types leave an unknown within their zero
    tolerance of its bound, and it would not count as touching. */
 static PetscErrorCode InitialGuessMoveToBounds_Private(const Inequality *solved, Vec y)
 {

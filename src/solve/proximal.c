@@ -127,8 +127,8 @@ static PetscErrorCode ProximalSize_Private(const Proximal *proximal, Vec v, Pets
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Measures the proximal term relative to the forces: those of the loads, or of the stresses without loads, or
-   such that roundoff is limit without either. Measures the step in the energy norm relative to the
+/* Measures the proximal term relative to the forces. These are those of the loads, or of the stresses without
+   loads, or such that roundoff is limit without either. Measures the step in the energy norm relative to the
    solution. */
 static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscReal *part, PetscReal *way)
 {

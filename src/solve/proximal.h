@@ -6,7 +6,7 @@
 #include "solve/meshlevels.h"
 #include "solve/solver.h"
 
-/* The inequality with a proximal term: A + W and b + W y_0 with the centre y_0, for y counted from the
+/* The inequality with a proximal term: A + W and b + W y_0 with the centre y_0. y is counted from the
    approach (the rigid motion until bodies touch). Without solvability it is the original one. */
 typedef struct {
   Inequality  solved;         /* what to solve; A, b and upper are owned if they differ from those of vi */

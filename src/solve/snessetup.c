@@ -25,7 +25,7 @@ static const PetscInt CYCLING_IT = 30;
 /* Largest number of steps of pdas: with one factorization for all sets they are cheap, and soft structures
    need many. */
 static const PetscInt PDAS_MAX_IT = 500;
-/* A residual below this part of |A| |y| after a step is roundoff: the only possible test for a soft
+/* A residual below this part of |A| |y| after a step is roundoff. This is the only possible test for a soft
    structure, or a start at the solution. Before any step the residual may be a thousand times larger for
    bodies of different stiffness. */
 static const PetscReal OTHER_ROUNDOFF = 1e-14;

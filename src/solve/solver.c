@@ -63,7 +63,7 @@ static PetscErrorCode SolverStartExtended_Private(SolverContext *context, PetscB
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the finest level is smoothed by lines and planes: then the factors of each further set cost more
+/* Whether the finest level is smoothed by lines and planes. Then the factors of each further set cost more
    than cycles that predict the set of a load step. */
 static PetscBool SolverHasBlocks_Private(const MeshLevels levels)
 {

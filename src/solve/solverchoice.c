@@ -12,9 +12,9 @@
 #include "solve/thinbodies.h"
 #include "solve/solverimpl.h"
 
-/* Unknowns up to which factorizations are faster than iterations if multigrid has no coarser meshes (2D:
-   triangles from a file, 10 sets: 414000 unknowns 7.1 s and 1.0 GB by factorization, 20 s and 0.8 GB by
-   iterations) or needs many iterations, in 3D: nearly incompressible bodies. There one factorization per
+/* Unknowns up to which factorizations are faster than iterations: in 2D if multigrid has no coarser meshes,
+   in 3D if it needs many iterations (nearly incompressible bodies). Triangles from a file, 10 sets, 414000
+   unknowns: 7.1 s and 1.0 GB by factorization, 20 s and 0.8 GB by iterations. In 3D one factorization per
    active set costs as much as its iterations much earlier than one for all sets. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
 
@@ -394,7 +394,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Iterations of the second solver. Where contact moves along a side from node to node, both need many: one
+/* Iterations of the second solver. Where contact moves along a side from node to node, both need many. One
    cell on 2000 takes 174 steps of pdas and 161 of vinewtonrsls, on 4000 366 and 317. PETSc's default is
    100. */
 enum { SECOND_MAX_IT = 500, SECOND_PER_FIRST = 2 };
