@@ -2,8 +2,8 @@
 """adaptive.py <mortise> <chart.svg> [--again <points.json>] [--keep <points.json>] -- error against processor time, uniform and adaptive meshes.
 
 Two plates from 2 x 2 cells each, whose limit is known (independent high-order reference). Hertz in the plane and in space, a wheel on a rail, two
-gears: their limit is that of the finest adaptive mesh less its estimated error, and points within three bars of it are omitted. The error is
-that of the energy norm over the solution's: the root of the relative error of the potential. Coarser meshes count in the time. Prints a table.
+gears: their limit is that of the finest adaptive mesh less its estimated error. Points within three bars of it are omitted. The error is that of
+the energy norm over the solution's: the root of the relative error of the potential. Coarser meshes count in the time. Prints a table.
 
 adaptive.py --loop <bench_loop> -- what the meshes, the estimate and the whole loop cost beside one solve on the last mesh, in processor time."""
 import argparse

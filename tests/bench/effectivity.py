@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """effectivity.py <mortise> -- calibrated estimate over true error in the energy norm, on all adaptive meshes with more than 1000 unknowns.
 
-Two plates with ratios of stiffness from 1e-6 to 1e6 in both roles and orders, and shells, against the limit of the finest mesh: 2 (J_h - J) = |e|^2 + L
-gives the true error of a mesh from its potential energy, where L is small; meshes count while their error is five times that of the finest one
-at least. Scenes with an exact displacement against the error that the program integrates. Prints a table: range and number of meshes."""
+Two plates with ratios of stiffness from 1e-6 to 1e6 in both roles and orders, and shells, against the limit of the finest mesh. 2 (J_h - J) = |e|^2 +
+L gives the true error of a mesh from its potential energy, where L is small. Meshes count while their error is five times that of the finest one at
+least. Scenes with an exact displacement against the error that the program integrates. Prints a table: range and number of meshes."""
 import csv
 import json
 import math

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""goals.py <mortise> -- two plates on meshes for a number and on meshes for the energy norm: relative errors of the contact force and of von Mises'
+"""goals.py <mortise> -- two plates on meshes for a number and on meshes for the energy norm. Relative errors of the contact force and of von Mises'
 stress at the probe, against unknowns. One process at a time."""
 import json
 import math

@@ -1,8 +1,9 @@
 /* loop.c -- what adaptive meshes cost beside one solve on the last of them: adaptive.py --loop runs it.
 
-   Reads a scene with -adapt as the program does, and makes the same meshes. Prints a line for each: unknowns, sets and iterations, and seconds of
-   the processor for the mesh, the solve with all that belongs to it, and the estimate with its marks. Then it solves on the last mesh from
-   nothing. With -measure_linear 1, iterations are those of one system of the final set from zero to 1e-8, and seconds hold them, too. */
+   Reads a scene with -adapt as the program does, and makes the same meshes. Prints a line for each: unknowns,
+   sets and iterations, and seconds of the processor. These are for the mesh, the solve with all that belongs
+   to it, and the estimate with its marks. Then it solves on the last mesh from nothing. With -measure_linear
+   1, iterations are those of one system of the final set from zero to 1e-8, and seconds hold them, too. */
 #include "base/compat.h"
 #include "base/warning.h"
 #include "pdas/pdas.h"

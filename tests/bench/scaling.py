@@ -93,7 +93,7 @@ class Bench:
         return timed + equal
 
     def beside(self, scene, size):
-        """Wall seconds of one of two runs at the same time that have nothing to do with each other: what one does to the other is the machine's."""
+        """Wall seconds of one of two runs at the same time that have nothing to do with each other. What one does to the other is the machine's."""
         seconds = []
         for _ in range(self.arguments.runs):
             with concurrent.futures.ThreadPoolExecutor(2) as pool:

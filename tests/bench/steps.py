@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Cost of a load step in first solves: python3 tests/bench/steps.py build/mortise [--runs 3]
 
-For each scene a run of ten steps and one of the first step alone give processor seconds, which other programs on the machine change little.
+For each scene a run of ten steps and one of the first step alone give processor seconds. Other programs on the machine change them little.
 A ninth of their difference is a later step. `of all` is that over the first step; `of a solve` is the same over the first step without the
-start of the program and the mesh, which later steps never need. Medians of the runs. Both should be below 0.5."""
+start of the program and the mesh. Later steps never need these. Medians of the runs. Both should be below 0.5."""
 import argparse
 import json
 import os

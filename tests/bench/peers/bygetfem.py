@@ -1,4 +1,4 @@
-"""Hertz' contact in the plane by Mortise and by GetFEM (Debian's python3-getfem): the same nodes, cells, supports and materials, and processor seconds
+"""Hertz' contact in the plane by Mortise and by GetFEM (Debian's python3-getfem): the same nodes, cells, supports and materials. Processor seconds
 for a largest pressure to so many percent.
 
     bygetfem.py <mortise> [<refinements>]

@@ -1,12 +1,12 @@
-"""Hertz' contact in the plane by Mortise and by Kratos (PyPI's KratosContactStructuralMechanicsApplication with KratosLinearSolversApplication): the same
-nodes, cells, supports and materials, and processor seconds for a largest pressure to so many percent.
+"""Hertz' contact in the plane by Mortise and by Kratos (PyPI's KratosContactStructuralMechanicsApplication with KratosLinearSolversApplication): the
+same nodes, cells, supports and materials. Processor seconds for a largest pressure to so many percent.
 
     bykratos.py <mortise> [<refinements>] [--python <interpreter that has Kratos>]
 
-Scene, mesh and reference are those of calculix.py. Kratos takes cells of order 1 (its contact knows no others): small displacements, augmented
-Lagrangian mortar contact with dual multipliers, its own penalty and scale, and the sparse LU of Eigen. It looks for
-partners once at the beginning of a load step: in one step it ends with a zone of contact that is too small, in two it does not. One thread each,
-processor seconds with the start of the program."""
+Scene, mesh and reference are those of calculix.py. Kratos takes cells of order 1 (its contact knows no others). It has small displacements,
+augmented Lagrangian mortar contact with dual multipliers, its own penalty and scale, and the sparse LU of Eigen. It looks for partners once at
+the beginning of a load step. In one step it ends with a zone of contact that is too small, in two it does not. One thread each, processor
+seconds with the start of the program."""
 import argparse
 import json
 import os

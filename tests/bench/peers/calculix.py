@@ -1,12 +1,12 @@
-"""Hertz' contact in the plane by Mortise and by CalculiX (ccx): the same nodes, cells, supports and materials, and processor seconds for a largest
+"""Hertz' contact in the plane by Mortise and by CalculiX (ccx): the same nodes, cells, supports and materials. Processor seconds for a largest
 pressure to so many percent.
 
     calculix.py <mortise> [<refinements>]
 
 Mortise writes the mesh of options/hertz2d_graded.opts; this script writes it as an input of CalculiX: one layer of C3D8 or C3D20 that cannot move
-across (its plane cells become such layers, too), contact from surface to surface with a linear penalty: of three stiffnesses the one with the smallest
-error. (Its mortar method stops in the solver of Debian's package.) The reference is the last solution of Mortise of order 2 on cells
-half as large as the finest here. One thread each, processor seconds with the start of the program."""
+across (its plane cells become such layers, too). Contact is from surface to surface with a linear penalty, of three stiffnesses the one with the
+smallest error. (Its mortar method stops in the solver of Debian's package.) The reference is the last solution of Mortise of order 2 on cells half as
+large as the finest here. One thread each, processor seconds with the start of the program."""
 import os
 import re
 import resource

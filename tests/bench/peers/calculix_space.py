@@ -1,4 +1,4 @@
-"""Hertz' contact in space by Mortise and by CalculiX (ccx): options/hertz3d.opts with the same nodes, cells, supports and materials, and processor
+"""Hertz' contact in space by Mortise and by CalculiX (ccx): options/hertz3d.opts with the same nodes, cells, supports and materials. Processor
 seconds for a largest pressure to so many percent.
 
     calculix_space.py <mortise>
