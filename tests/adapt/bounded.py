@@ -1,4 +1,4 @@
-"""Largest pressures that have a limit are not said to grow without one while cells are as wide as the contact, or as a rounded edge."""
+"""Largest pressures with a limit are not said to grow without one while cells are as wide as the contact, or as a rounded edge."""
 import math
 
 from judge import Run, near, require, same

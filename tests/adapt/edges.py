@@ -1,4 +1,4 @@
-"""Which largest pressures have a limit is told by the obstacle's formula, whatever the meshes are: a flat punch has none from the third mesh on, an
+"""Which largest pressures have a limit is told by the obstacle's formula, whatever the meshes are. A flat punch has none from the third mesh on. An
 edge rounded by 0.03 or 0.003 has one, though its pressures grow like those of the punch while facets are wider than the rounded part."""
 from judge import Run, same
 

@@ -1,5 +1,5 @@
-"""Load steps with friction on adaptive meshes: all steps on the same mesh, each as good as asked for, bars that hold the numbers of finer meshes,
-friction's tractions like those of a mesh graded by hand, the same numbers on all ranks; limits end it with exit code 3."""
+"""Load steps with friction on adaptive meshes: all steps on the same mesh, each as good as asked for. Bars hold the numbers of finer meshes.
+Friction's tractions are like those of a mesh graded by hand. All ranks have the same numbers. Limits end it with exit code 3."""
 import h5py
 
 from judge import near, read_table, require, same

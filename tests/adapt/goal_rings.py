@@ -1,4 +1,5 @@
-"""Goals in a press fit of two rings: Lame's pressure, its sum, and von Mises' stress at the bore, -8/3 p along the circle and nu times that across."""
+"""Goals in a press fit of two rings: Lame's pressure, its sum, and von Mises' stress at the bore. The stress there is -8/3 p along the circle and nu
+times that across."""
 import math
 
 from judge import near, require, same

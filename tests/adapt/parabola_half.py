@@ -1,4 +1,4 @@
-"""The right half of a line contact, from cells of 14 half widths: force to 1e-6 and half width to 2e-3 of an independent high-order solution."""
+"""The right half of a line contact, from cells of 14 half widths. Force to 1e-6 and half width to 2e-3 of an independent high-order solution."""
 from judge import near, require
 from parabola import FORCE, HALF_WIDTH
 

@@ -1,5 +1,5 @@
-"""A parabola pressed into a block in load steps on adaptive meshes: forces and half widths of an independent high-order solution lie within
-the bars of each step, and later steps have more meshes than the first where they need them."""
+"""A parabola pressed into a block in load steps on adaptive meshes. Forces and half widths of an independent high-order solution lie within
+the bars of each step. Later steps have more meshes than the first where they need them."""
 from judge import near, require, same
 
 # t: force, half width (options/parabola.opts)

@@ -1,4 +1,5 @@
-"""Calibrated estimate over true error of a flat punch, on a mesh that is graded to its edges: what few singular cells lose says little of the others."""
+"""Calibrated estimate over true error of a flat punch, on a mesh that is graded to its edges. What few singular cells lose says little of the
+others."""
 from effectivity import require_all
 from judge import Run, near, require
 

@@ -1,4 +1,5 @@
-"""Rings from files whose sides are taken for smooth: new nodes are on the circles, also in the middle of faces, and Lame's pressure lies within its bar."""
+"""Rings from files whose sides are taken for smooth. New nodes are on the circles, also in the middle of faces. Lame's pressure lies within its
+bar."""
 from judge import near
 
 PRESSURE = 0.128781

@@ -1,4 +1,4 @@
-"""A shaft on a block from cells of 150 half widths: Hertz' largest pressure and stress under it, for the force that is found, lie within the bars."""
+"""A shaft on a block from cells of 150 half widths. Hertz' largest pressure and stress under it, for the force that is found, lie within the bars."""
 import math
 
 from judge import near, require

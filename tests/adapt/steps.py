@@ -1,5 +1,5 @@
-"""Load steps on adaptive meshes: at each time the numbers that a run at that time alone has, to within the bars of both, and a series of files
-whose meshes change."""
+"""Load steps on adaptive meshes. At each time they have the numbers that a run at that time alone has, to within the bars of both. Meshes
+change in the series of files."""
 import pathlib
 import re
 import xml.etree.ElementTree as ET

@@ -1,4 +1,5 @@
-"""Load steps whose meshes come to a limit: exit code 3, what was solved before is kept, the step that was not has all its numbers."""
+"""Load steps whose meshes come to a limit. The exit code is 3, what was solved before is kept, the step that was not has all its
+numbers."""
 from judge import Run, read_table, require, same
 
 
