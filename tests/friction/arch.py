@@ -1,5 +1,6 @@
-"""A semicircular arch of voussoirs with friction in all joints under its own weight. Statics of rigid blocks: it stands if and only if some thrust H at the crown, at some height,
-lies within every joint and within every cone of friction. The program refuses what is below that coefficient, and solves what is above it."""
+"""A semicircular arch of voussoirs with friction in all joints under its own weight. By statics of rigid blocks it stands exactly if some thrust H at
+the crown, at some height, lies within every joint and every cone of friction. The program refuses what is below that coefficient, and solves what is
+above it."""
 import math
 
 from judge import Run, near, require

@@ -1,6 +1,6 @@
-"""A belt that slides on a pulley: its force T falls by mu N, N = T along the side and at a lever of 1 against 1.01, half of the thickness above it: by
-exp(-mu angle / 1.01) from end to end (Eytelwein). All of it slips, which the first decisions do not see: Newton took 16 steps before sweeps went on as long
-as they descend."""
+"""A belt that slides on a pulley. Its force T falls by mu N, N = T along the side and at a lever of 1 against 1.01, half of the thickness above it.
+So it falls by exp(-mu angle / 1.01) from end to end (Eytelwein). All of it slips, which the first decisions do not see: Newton took 16 steps before
+sweeps went on as long as they descend."""
 import math
 
 from judge import near, require

@@ -1,5 +1,5 @@
-"""Equal discs pressed together and sheared once, against Cattaneo and Mindlin: where the middle ceases to stick, c / a = sqrt(1 - Q / (mu P)), by the traction in the middle,
-q = mu p0 (1 - c / a), and by the nodes."""
+"""Equal discs pressed together and sheared once, against Cattaneo and Mindlin. The middle ceases to stick at c / a = sqrt(1 - Q / (mu P)), by the
+traction in the middle, q = mu p0 (1 - c / a), and by the nodes."""
 import math
 
 from judge import near, require

@@ -1,4 +1,5 @@
-"""A block pressed and dragged at once, against its exact dissipation: that of ever smaller steps within its bars, that of quarters, and of dragging alone."""
+"""A block pressed and dragged at once, against its exact dissipation. That of ever smaller steps lies within its bars; that of quarters, and of
+dragging alone, are tested too."""
 from judge import near, require
 
 SIDE, COEFFICIENT, SLIP = 2, 0.3, 1.4e-3  # pressure is 1 at t = 1

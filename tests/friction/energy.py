@@ -1,5 +1,5 @@
-"""The GRECO block under loads that grow: every step is like the first, so that n steps of length 1/n have defects of 1/n^2 each, and what friction takes is (1 + 1/n)
-times what it takes in infinitely many. The work is that of whole steps."""
+"""The GRECO block under loads that grow. Every step is like the first, so that n steps of length 1/n have defects of 1/n^2 each. What friction takes
+is (1 + 1/n) times what it takes in infinitely many. The work is that of whole steps."""
 from judge import near, read_table
 
 

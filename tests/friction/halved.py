@@ -1,5 +1,5 @@
-"""The GRECO block under loads that grow, in halved steps: n steps of length 1/n take (1 + 1/n) times what friction takes in infinitely many, so that the limit is
-exact, and all other numbers are those of one step."""
+"""The GRECO block under loads that grow, in halved steps. In n steps of length 1/n friction takes (1 + 1/n) times what it takes in infinitely many.
+So the limit is exact, and all other numbers are those of one step."""
 from judge import near, read_table, require
 
 

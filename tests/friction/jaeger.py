@@ -1,5 +1,5 @@
-"""Equal half planes of any profile, here a flat one with round shoulders: the shear tractions of a frictional run are mu (p(P) - p(P*)), P* = P - Q / mu, with pressures of two
-frictionless runs (Ciavarella 1998; Jaeger 1998)."""
+"""Equal half planes of any profile, here a flat one with round shoulders. The shear tractions of a frictional run are mu (p(P) - p(P*)), P* = P - Q /
+mu, with pressures of two frictionless runs (Ciavarella 1998; Jaeger 1998)."""
 from judge import near, require
 
 MU = 0.2

@@ -1,5 +1,5 @@
-"""A block that is pressed on, lifted, moved and pressed on again: nothing drags it, and both methods agree while it is apart, by multigrid, too. The second one
-found no solution there (warning not_confirmed): limits at open nodes were those of roundoff."""
+"""A block that is pressed on, lifted, moved and pressed on again. Nothing drags it. Both methods agree while it is apart, by multigrid, too. The
+second one found no solution there (warning not_confirmed): limits at open nodes were those of roundoff."""
 from judge import near
 
 

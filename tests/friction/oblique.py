@@ -1,9 +1,10 @@
-"""Equal discs moved onto each other on an oblique line, with more friction than that needs: nothing slips, and each ring of contact remembers where it closed.
-Steps of any length are wrong by their order; halved ones give the limit.
+"""Equal discs moved onto each other on an oblique line, with more friction than that needs. Nothing slips, and each ring of contact remembers where
+it closed. Steps of any length are wrong by their order; halved ones give the limit.
 
-Expected: the forces P and Q of a step add dQ / (pi sqrt(a^2 - x^2)) to the traction, the shape of a bonded punch of half width a(P) (Johnson, Contact mechanics, 7.4;
-equal halves). The normal approach is P (Cn - ln P) / (pi E*), and so a bonded punch yields by dQ (Ct - 1 - ln P) / (pi E*). What is far off makes Cn and Ct, which a
-normal step and one small tangential step give; the path between is the formula's. Nothing is taken by friction."""
+Expected: the forces P and Q of a step add dQ / (pi sqrt(a^2 - x^2)) to the traction. This is the shape of a bonded punch of half width a(P) (Johnson,
+Contact mechanics, 7.4; equal halves). The normal approach is P (Cn - ln P) / (pi E*), and so a bonded punch yields by dQ (Ct - 1 - ln P) / (pi E*).
+What is far off makes Cn and Ct, which a normal step and one small tangential step give; the path between is the formula's. Nothing is taken by
+friction."""
 import math
 
 from judge import near, require

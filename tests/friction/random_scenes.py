@@ -1,5 +1,5 @@
-"""Random blocks and discs with friction, held or not, on floors and on each other: both solutions agree, or the summary says that there may be another one;
-what is refused is refused by statics."""
+"""Random blocks and discs with friction, held or not, on floors and on each other. Both solutions agree, or the summary says that there may be
+another one; what is refused is refused by statics."""
 import pathlib
 import random
 import sys

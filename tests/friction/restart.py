@@ -1,4 +1,4 @@
-"""A run with load steps that goes on from the file of an earlier one, on another number of ranks: the same numbers as without a break."""
+"""A run with load steps continues from the file of an earlier one, on another number of ranks: the same numbers as without a break."""
 from judge import near, require, same, same_table
 
 SAME = 1e-9  # of the largest of each quantity

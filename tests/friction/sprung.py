@@ -1,4 +1,4 @@
-"""A wedge that is let go, with too little friction to stay in its groove: it springs out, and nothing presses any more, whatever its way was."""
+"""A wedge that is let go, with too little friction to stay in its groove. It springs out, and nothing presses any more, whatever its way was."""
 from judge import near, require
 
 

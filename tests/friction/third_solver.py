@@ -1,5 +1,5 @@
-"""A third solver, of other authors: the scene is assembled here once more (bilinear quads, trilinear hexahedra), condensed to the nodes on the rigid floor, and its friction solved by
-Siconos, where Python has that. On a floor the dual multipliers of a node are forces of that node."""
+"""A third solver, of other authors. The scene is assembled here once more (bilinear quads, trilinear hexahedra) and condensed to the nodes on the
+rigid floor. Its friction is solved by Siconos, where Python has that. On a floor the dual multipliers of a node are forces of that node."""
 import itertools
 import pathlib
 

@@ -1,5 +1,5 @@
-"""A block twisted by the moment 100 int r^2 of a traction on its top, and held by friction with a bound e at most: the largest moment is e sum D_a r_a about the middle. Refused below
-that bound, solved above it."""
+"""A block twisted by the moment 100 int r^2 of a traction on its top, and held by friction with a bound e at most. The largest moment is e sum D_a
+r_a about the middle. Refused below that bound, solved above it."""
 import math
 
 from judge import Run, near, require

@@ -1,4 +1,5 @@
-"""Slip in space by multigrid: the resistance to turning is in the cycle, and systems take two or three iterations each, whatever part of the contact slips."""
+"""Slip in space by multigrid. The resistance to turning is in the cycle, and systems take two or three iterations each, whatever part of the contact
+slips."""
 from judge import require
 
 ITERATIONS = 16  # of the second step: 12; 25 where the cycle does not know it

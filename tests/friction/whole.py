@@ -1,4 +1,5 @@
-"""A symmetric scene with friction, and half of it, whose supports hold nodes of both sides along the joint: the same numbers, and no friction is missed there."""
+"""A symmetric scene with friction, and half of it, whose supports hold nodes of both sides along the joint. Both have the same numbers, and no
+friction is missed there."""
 from judge import near, require
 
 HALF = {2: ("-upper_dm_plex_box_faces", "8,6", "-lower_dm_plex_box_faces", "9,6", "-upper_dm_plex_box_lower", "0,0", "-lower_dm_plex_box_lower", "0,-1",
