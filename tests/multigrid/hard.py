@@ -1,5 +1,5 @@
-"""Hard cases with a solution, all in the long run, by multigrid at any size, with both solvers: the right answer, or a sentence with advice.
-Tests of tests/hard compare figures; this one asks for the verdicts of both solvers and for the certificate."""
+"""Hard cases with a solution, all in the long run, by multigrid at any size, with both solvers. Expected is the right answer, or a sentence
+with advice. Tests of tests/hard compare figures; this one asks for the verdicts of both solvers and for the certificate."""
 import pathlib
 import sys
 

@@ -1,4 +1,4 @@
-"""Cells that are long along one axis cost no more iterations than cubes, on any number of ranks: planes of nodes are smoothed as one block,
+"""Cells that are long along one axis cost no more iterations than cubes, on any number of ranks. Planes of nodes are smoothed as one block,
 across ranks, too."""
 from judge import LONG, require
 

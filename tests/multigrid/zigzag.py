@@ -1,4 +1,4 @@
-"""A stiff nonmortar body meets every other node of a soft one: sets differ much from those of coarser meshes, and early systems are solved to
+"""A stiff nonmortar body meets every other node of a soft one. Sets differ much from those of coarser meshes, and early systems are solved to
 few digits."""
 from judge import require
 
