@@ -1,5 +1,6 @@
-/* calls.c -- every function of the interface, in a program that has started PETSc itself: two handles with options of their own, used
-   in turn, give the numbers that statics says; nothing is left behind (-malloc_dump).
+/* calls.c -- every function of the interface, in a program that has started PETSc itself. Two handles with
+   options of their own, used in turn, give the numbers that statics says; nothing is left behind
+   (-malloc_dump).
 
    calls <folder of scenes> */
 #include <math.h>

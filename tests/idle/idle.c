@@ -1,6 +1,7 @@
-/* idle.c -- loaded before all libraries into ranks that have more of them than processors: a rank that waits for a message calls sched_yield() again
-   and again, which with two processors is a quarter of the time of a test on three ranks. Here it yields some times and then sleeps, longer and longer, until it has
-   something to do: the time between two calls tells. */
+/* idle.c -- loaded before all libraries where there are more ranks than processors. A rank that waits for a
+   message calls sched_yield() again and again. With two processors this is a quarter of the time of a test on
+   three ranks. Here it yields some times and then sleeps, longer and longer, until it has something to do:
+   the time between two calls tells. */
 #define _GNU_SOURCE
 #include <sched.h>
 #include <sys/syscall.h>

@@ -1,5 +1,5 @@
-"""Reactions of planes that meet at any angle: each node of two or three planes gives to each its own part, also where the lower one is clamped
-and two sides fix the same direction."""
+"""Reactions of planes that meet at any angle. Each node of two or three planes gives to each its own part. This holds also where the lower one
+is clamped and two sides fix the same direction."""
 import numpy as np
 
 from judge import near

@@ -1,4 +1,4 @@
-"""Colours of bodies by any field: what is drawn is what the file has, and a name that it does not have is answered by those that it has."""
+"""Colours of bodies by any field. What is drawn is what the file has; a name that it does not have is answered by those that it has."""
 
 import numpy as np
 

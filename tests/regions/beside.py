@@ -1,4 +1,5 @@
-"""Regions of one body meet on the mortar side, where each has a stress of its own: the estimated error does not depend on the order in which they are listed."""
+"""Regions of one body meet on the mortar side, where each has a stress of its own. The estimated error does not depend on the order in which they are
+listed."""
 from judge import near
 
 

@@ -1,5 +1,5 @@
 """Timoshenko, Analysis of bi-metal thermostats (1925): far from its ends a strip of two metals bends by the curvature
-6 (a1 - a2) T (1 + m)^2 / (h (3 (1 + m)^2 + (1 + m n) (m^2 + 1 / (m n)))), m = h1 / h2, n = E1 / E2: the lower layer, which grows more, is
+6 (a1 - a2) T (1 + m)^2 / (h (3 (1 + m)^2 + (1 + m n) (m^2 + 1 / (m n)))), m = h1 / h2, n = E1 / E2. The lower layer, which grows more, is
 outside, so the strip bends up. Quadratic cells have the solution exactly there; what the ends disturb falls by exp(-4) for each height at least.
 Half the temperature bends it half as much: in a load step, and with a temperature of the region alone beside that of the body."""
 from judge import near

@@ -1,4 +1,4 @@
-"""A dent in three layers of one body equals that in three bodies which are tied along meshes that match: the dual multipliers make both
+"""A dent in three layers of one body equals that in three bodies which are tied along meshes that match. The dual multipliers make both
 sides of a tie move alike at every node. The stress of a layer is recovered from its own cells in both."""
 import pathlib
 

@@ -1,6 +1,6 @@
-"""Regions with the moduli, loads and temperatures of their body change nothing but the list of regions: neither values of the body that they
-have because they give none, nor the same values given once more. The files hold the stress of each region at the nodes between them. Its
-mean by volume is the stress of the body without regions."""
+"""Regions with the moduli, loads and temperatures of their body change nothing but the list of regions. They have these because they give
+none, or because the same values are given once more. The files hold the stress of each region at the nodes between them. Its mean by volume
+is the stress of the body without regions."""
 import numpy as np
 
 from judge import near, require, same

@@ -1,5 +1,6 @@
-/* test_splitsolid.c -- random splittings of hexahedra: cells that touch differ by one splitting at most, corners of the edges and faces on which
-   vertices hang do not hang, volume and sides are kept, no numbering matters. */
+/* test_splitsolid.c -- random splittings of hexahedra. Cells that touch differ by one splitting at most.
+   Corners of the edges and faces on which vertices hang do not hang. Volume and sides are kept, no numbering
+   matters. */
 #include "base/compat.h"
 #include "kernel/bisect.h"
 #include <string.h>

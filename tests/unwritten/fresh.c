@@ -1,6 +1,7 @@
-/* fresh.c -- loaded before all libraries: whatever memory a program is given is full of bytes that are no number (0xff: NaN, -1), so that
-   nothing can be computed unseen from what nobody has written. Other bytes by UNWRITTEN_BYTE, decimal: 127 makes large numbers. What calloc() gives
-   stays zero. For the GNU C library, whose own functions do the work. */
+/* fresh.c -- loaded before all libraries. Memory that a program is given is full of bytes that are no number
+   (0xff: NaN, -1). So nothing can be computed unseen from memory that was not written. Other bytes by
+   UNWRITTEN_BYTE, decimal: 127 makes large numbers. What calloc() gives stays zero. For the GNU C library,
+   whose own functions do the work. */
 #include <errno.h>
 #include <malloc.h>
 #include <stdlib.h>
