@@ -2,6 +2,7 @@
 
    A node hangs on an edge, of which the facet has one half. The number of nodes of this edge outside of the
    facet is that of nodes that hang on it: the change of basis is square. */
+#include <petscblaslapack.h>
 #include "base/compat.h"
 #include "contact/carryingnodes.h"
 
@@ -42,49 +43,24 @@ static PetscErrorCode FacetReplaceNodes_Private(const Level *level, PetscInt num
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves A X = B for two right-hand sides, by elimination with pivots. [in,out] A - destroyed [n][n]; X - B
-   before [n][2] */
-static PetscErrorCode SolvePlaces_Private(PetscInt n, PetscReal A[], PetscReal X[][2])
-{
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < n; k++) {
-    PetscInt pivot = k;
-
-    for (PetscInt i = k; i < n; i++)
-      if (PetscAbsReal(A[i * n + k]) > PetscAbsReal(A[pivot * n + k])) pivot = i;
-    PetscCheck(A[pivot * n + k] != 0, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Functions of a facet are dependent");
-    for (PetscInt j = 0; j < n + 2 && pivot != k; j++) {
-      PetscReal *a = j < n ? &A[k * n + j] : &X[k][j - n], *b = j < n ? &A[pivot * n + j] : &X[pivot][j - n];
-      PetscReal  value = *a;
-
-      *a = *b;
-      *b = value;
-    }
-    for (PetscInt i = 0; i < n; i++) {
-      const PetscReal factor = A[i * n + k] / A[k * n + k];
-
-      for (PetscInt j = k; j < n && i != k; j++) A[i * n + j] -= factor * A[k * n + j];
-      for (PetscInt j = 0; j < 2 && i != k; j++) X[i][j] -= factor * X[k][j];
-    }
-  }
-  for (PetscInt k = 0; k < n; k++)
-    for (PetscInt j = 0; j < 2; j++) X[k][j] /= A[k * n + k];
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* The functions reproduce reference coordinates: this determines where their nodes are. */
 static PetscErrorCode DualNodesSet_Private(const Level *level, ElementType type, const PetscInt own[], PetscInt nodes[],
                                            DualNodes *functions)
 {
   const PetscInt n = ElementNumNodes(type), dim = ElementDim(type);
-  PetscReal      A[F * F];
+  PetscReal      A[F * F], places[2 * F];
+  PetscBLASInt   rows = (PetscBLASInt)n, columns = (PetscBLASInt)dim, pivots[F], info;
 
   PetscFunctionBeginUser;
   PetscCall(FacetReplaceNodes_Private(level, n, own, nodes, functions->S));
-  PetscCall(PetscArraycpy(A, functions->S, n * n));
+  for (PetscInt i = 0; i < n; i++) { // by columns
+    for (PetscInt j = 0; j < n; j++) A[j * n + i] = functions->S[i * n + j];
+    for (PetscInt k = 0; k < dim; k++) places[k * n + i] = ElementNode(type, i)[k];
+  }
+  PetscCallBLAS("LAPACKgesv", LAPACKgesv_(&rows, &columns, A, &rows, pivots, places, &rows, &info));
+  PetscCheck(!info, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Functions of a facet are dependent");
   for (PetscInt i = 0; i < n; i++)
-    for (PetscInt k = 0; k < 2; k++) functions->place[i][k] = k < dim ? ElementNode(type, i)[k] : 0;
-  PetscCall(SolvePlaces_Private(n, A, functions->place));
+    for (PetscInt k = 0; k < 2; k++) functions->place[i][k] = k < dim ? places[k * n + i] : 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
