@@ -213,7 +213,7 @@ def check_warns(top):
     known = set(re.findall(r"^\| `(\w+)` \|", (top / "options/GUIDE.md").read_text().split("\n## Warnings\n")[1], re.MULTILINE))
     for table in sorted(top.glob("tests/*/warns.txt")):
         names = [test.split(".", 1)[1] for test in tests if test.startswith(f"{table.parent.name}.")]
-        names += [name.rsplit(".np")[0] for name in names]
+        names += [name.rsplit(".np")[0] + end for name in names for end in ("", ".long")]
         for code, *patterns in (line.split() for line in table.read_text().splitlines() if not line.startswith("#")):
             if code.rstrip(":") not in known:
                 yield f"{table.relative_to(top)}: {code} is no code of options/GUIDE.md"

@@ -49,9 +49,11 @@ class Expected:
         self.codes, self.seen = set(), set()
 
     def read(self, test):
-        """[in] test - <folder>.<name>.np<ranks>; lines of the table are `<code>: <name> ...`, or <name>.np<ranks>, * for any letters"""
+        """[in] test - <folder>.<name>.np<ranks>; lines of the table are `<code>: <name> ...`, or <name>.np<ranks>, <name>.long for the long run alone,
+        * for any letters"""
         folder, name = test.split(".", 1)
-        names = [name, name.rsplit(".np")[0]]
+        short = name.rsplit(".np")[0]
+        names = [name, short] + [f"{short}.long"] * LONG
         table = pathlib.Path(__file__).resolve().parent / folder / "warns.txt"
         lines = [line.split() for line in table.read_text().splitlines() if line and not line.startswith("#")] if table.is_file() else []
         self.codes = {code.rstrip(":") for code, *patterns in lines if any(fnmatch.filter(names, pattern) for pattern in patterns)}

@@ -22,7 +22,7 @@ mortise_scene_test(kept_tight_solid SCENE shells3d CHECK tight3d.py RANKS 1 ARGS
 mortise_scene_test(kept_solid_ranks SCENE shells3d CHECK solid_ranks.py RANKS 3 ARGS -order 1 -adapt 0.13 -adapt_cells kept)
 mortise_scene_test(kept_solid_ranks_2 LONG SCENE shells3d CHECK solid_ranks.py RANKS 2 3 ARGS -adapt 2e-2 -adapt_cells kept)
 mortise_scene_test(kept_solid_solvers SCENE shells3d CHECK solvers.py RANKS 1 ARGS -order 1 -adapt 0.13 -adapt_cells kept)
-mortise_scene_test(kept_ball LONG SCENE ball CHECK ball.py RANKS 1 ARGS -adapt 0.1 -adapt_cells kept)
+mortise_scene_test(kept_ball LONG SCENE ball CHECK ball.py RANKS 1 ARGS -adapt 0.07 -adapt_cells kept)
 mortise_mistake(kept_vertices SCENE shells3d RANKS 1 ARGS -adapt 0.1 -adapt_cells kept -fit_multipliers vertices SAYS "-fit_multipliers vertices: with -adapt_cells kept")
 mortise_mistake(kept_alone SCENE two_plates RANKS 1 ARGS -adapt_cells kept SAYS "-adapt_cells")
 mortise_scene_test(edge2d CHECK exact.py RANKS 1 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -adapt 2e-3)
