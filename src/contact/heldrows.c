@@ -24,18 +24,6 @@ static PetscErrorCode HeldRowsSplit_Private(const Level *level, const Support *s
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A (x) 1, with blocks of dim x dim. */
-static PetscErrorCode HeldRowsExpand_Private(Mat A, PetscInt dim, Mat *blocks)
-{
-  Mat copies;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatCreateMAIJ(A, dim, &copies));
-  PetscCall(MatConvert(copies, MATAIJ, MAT_INITIAL_MATRIX, blocks));
-  PetscCall(MatDestroy(&copies));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* w_ac Pi_c. [in] W - weights of nodes; [out] WP - owned by the caller */
 static PetscErrorCode HeldRowsProject_Private(const Level *level, const Support *support,
                                               const MultiplierStatus split[], Mat W, Mat *WP)
@@ -59,7 +47,7 @@ static PetscErrorCode HeldRowsProject_Private(const Level *level, const Support 
   }
   PetscCall(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
-  PetscCall(HeldRowsExpand_Private(W, dim, &blocks));
+  PetscCall(LevelCreateBlocks(W, dim, &blocks));
   PetscCall(MatMatMult(blocks, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, WP));
   PetscCall(MatDestroy(&blocks));
   PetscCall(MatDestroy(&P));
@@ -84,7 +72,7 @@ static PetscErrorCode HeldRowsSum_Private(const Level *level, const MortarIntegr
     PetscCall(MatDestroy(&moved));
   }
   PetscCall(MatDestroy(&own));
-  PetscCall(HeldRowsExpand_Private(scalar, level->dim, rows));
+  PetscCall(LevelCreateBlocks(scalar, level->dim, rows));
   PetscCall(MatDestroy(&scalar));
   if (sums->arm) PetscCall(MatAXPY(*rows, 1.0, sums->arm, DIFFERENT_NONZERO_PATTERN));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -150,13 +150,11 @@ static PetscErrorCode RedistributionAddSpread_Private(Mat W, Mat *A)
 /* The same for all components, with W (x) 1. */
 static PetscErrorCode RedistributionAddBlockSpread_Private(Mat W, PetscInt dim, Mat *A)
 {
-  Mat blocks, expanded;
+  Mat blocks;
 
   PetscFunctionBeginUser;
-  PetscCall(MatCreateMAIJ(W, dim, &blocks));
-  PetscCall(MatConvert(blocks, MATAIJ, MAT_INITIAL_MATRIX, &expanded));
-  PetscCall(RedistributionAddSpread_Private(expanded, A));
-  PetscCall(MatDestroy(&expanded));
+  PetscCall(LevelCreateBlocks(W, dim, &blocks));
+  PetscCall(RedistributionAddSpread_Private(blocks, A));
   PetscCall(MatDestroy(&blocks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
