@@ -114,8 +114,8 @@ static PetscErrorCode GraphComponentsShare_Private(Vec own, PetscInt num, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The rank of each label. Rows that a rank has of a component are added to what is due to it; the
-   component goes to the one of its ranks to which most is due. [out] winner - 0 where a row is no label */
+/* The rank of each label. What is due to a rank is its rows of the components so far, less all rows of those
+   that it was given. A component goes to that one of its ranks to which most is due. [out] winner - 0 where a row is no label */
 static PetscErrorCode GraphComponentsElect_Private(Mat shares, Vec winner)
 {
   PetscMPIInt  size;

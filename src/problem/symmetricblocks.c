@@ -23,6 +23,20 @@ enum { PADDING = 1 };
 enum { NUM_SLOTS = 1 << 14, HASH_SHIFT = 32 };
 static const size_t HASH_FACTOR = 0x9E3779B97F4A7C15;
 
+/* Places of the diagonal blocks; columns ascend in each row. */
+static PetscErrorCode SymmetricBlocksSetDiagonal_Private(SymmetricBlocks *blocks)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(blocks->num, &blocks->diagonal));
+  for (PetscInt i = 0; i < blocks->num; i++) {
+    PetscInt at = blocks->start[i];
+
+    while (blocks->column[at] < i) at++;
+    blocks->diagonal[i] = at;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[], PetscInt column[],
                                      SymmetricBlocks *blocks)
 {
@@ -30,15 +44,11 @@ PetscErrorCode SymmetricBlocksCreate(PetscInt bs, PetscInt num, PetscInt start[]
   PetscCheck(bs >= 2 && bs <= SYMMETRIC_BLOCKS_MAX, PETSC_COMM_SELF, PETSC_ERR_PLIB, "Blocks of size %" PetscInt_FMT,
              bs);
   *blocks = (SymmetricBlocks){.bs = bs, .num = num, .start = start, .column = column};
-  PetscCall(PetscMalloc1(num, &blocks->diagonal));
+  PetscCall(SymmetricBlocksSetDiagonal_Private(blocks));
   PetscCall(PetscMalloc1(num, &blocks->first));
   for (PetscInt i = 0; i < num; i++) {
-    PetscInt at = start[i];
-
-    while (column[at] < i) at++;
-    blocks->diagonal[i] = at;
-    blocks->first[i]    = blocks->num_values;
-    blocks->num_values += start[i + 1] - at;
+    blocks->first[i] = blocks->num_values;
+    blocks->num_values += start[i + 1] - blocks->diagonal[i];
   }
   blocks->num_ordered = blocks->num_values;
   PetscCall(PetscCalloc1((size_t)blocks->num_values * bs * bs + PADDING, &blocks->value));
@@ -119,15 +129,11 @@ PetscErrorCode SymmetricBlocksCreateWithin(PetscInt num, PetscInt start[], Petsc
 
   PetscFunctionBeginUser;
   *blocks = (SymmetricBlocks){.bs = from->bs, .num = num, .start = start, .column = column, .num_ordered = room};
-  PetscCall(PetscMalloc1(num, &blocks->diagonal));
+  PetscCall(SymmetricBlocksSetDiagonal_Private(blocks));
   PetscCall(PetscMalloc1(num, &blocks->first));
   for (PetscInt i = 0; i < num; i++) {
-    PetscInt at = start[i];
-
-    while (column[at] < i) at++;
-    blocks->diagonal[i] = at;
-    blocks->first[i]    = kept[i] ? from->first[i] : room + more;
-    if (!kept[i]) more += start[i + 1] - at;
+    blocks->first[i] = kept[i] ? from->first[i] : room + more;
+    if (!kept[i]) more += start[i + 1] - blocks->diagonal[i];
   }
   blocks->num_values = room + more;
   PetscCall(PetscRealloc(((size_t)blocks->num_values * square + PADDING) * sizeof(PetscScalar), &from->value));
