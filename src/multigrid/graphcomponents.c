@@ -115,7 +115,8 @@ static PetscErrorCode GraphComponentsShare_Private(Vec own, PetscInt num, PetscI
 }
 
 /* The rank of each label. What is due to a rank is its rows of the components so far, less all rows of those
-   that it was given. A component goes to that one of its ranks to which most is due. [out] winner - 0 where a row is no label */
+   that it was given. A component goes to that one of its ranks to which most is due.
+   [out] winner - 0 where a row is no label */
 static PetscErrorCode GraphComponentsElect_Private(Mat shares, Vec winner)
 {
   PetscMPIInt  size;
