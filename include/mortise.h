@@ -1,10 +1,8 @@
 /* mortise.h -- the public interface of Mortise: contact of elastic bodies, as one object in PETSc's idiom.
-
    A program reads a scene from options, solves it, and asks for numbers:
 
        Mortise   m;
        PetscReal force[3];
-
        PetscCall(MortiseInitialize(&argc, &argv));         the scene: ./program -options_file scene.opts
        PetscCall(MortiseCreate(PETSC_COMM_WORLD, &m));
        PetscCall(MortiseSetFromOptions(m));
@@ -15,7 +13,6 @@
        }
        PetscCall(MortiseDestroy(&m));
        PetscCall(MortiseFinalize());
-
    Every function returns 0, MORTISE_ERR_USER for a mistake of the user (see MortiseGetError()), or an
    error code of PETSc. A mistake prints nothing, nor does PetscCall() that returns it; in main() itself
    PetscCall() ends the program. Functions are collective unless they say otherwise: all ranks call them with
@@ -61,8 +58,10 @@ typedef enum {
 typedef enum {
   MORTISE_NODE_NONE    = -1, /* not on the side, or without a constraint */
   MORTISE_NODE_OPEN    = 0,
-  MORTISE_NODE_CONTACT = 1,
-  MORTISE_NODE_TIED    = 2
+  MORTISE_NODE_CONTACT = 1, /* without friction */
+  MORTISE_NODE_TIED    = 2,
+  MORTISE_NODE_SLIP    = 3, /* in contact with friction, and it slides */
+  MORTISE_NODE_STICK   = 4  /* in contact with friction, and it stays */
 } MortiseNodeStatus;
 
 /* Residuals of the answer in the uncondensed system, all dimensionless. */
@@ -72,6 +71,7 @@ typedef struct {
   PetscReal pressure;        /* largest tension, over the size of the pressures */
   PetscReal complementarity; /* pressure times gap, over the work of the loads */
   PetscReal force, moment;   /* balance of the whole scene */
+  PetscReal friction;        /* largest violation of the law of friction; 0 without friction */
   PetscReal limit;           /* what none of them may exceed */
   PetscBool holds;
 } MortiseCertificate;

@@ -300,18 +300,21 @@ PetscErrorCode MortiseGetCertificate(Mortise m, MortiseCertificate *certificate)
 {
   PetscErrorCode     error;
   const Certificate *c;
+  PetscReal          friction;
 
   PetscFunctionBeginUser;
   PetscCall(ApiBegin(m));
   error = ApiNeedRun(m, "MortiseGetCertificate");
   PetscCall(ApiEnd(m, error));
   c            = &m->run->certificate;
+  friction     = PetscMax(c->friction.cone, PetscMax(c->friction.slip, c->friction.dissipation));
   *certificate = (MortiseCertificate){.equilibrium     = c->equilibrium,
                                       .gap             = c->gap,
                                       .pressure        = c->pressure,
                                       .complementarity = c->complementarity,
                                       .force           = c->force,
                                       .moment          = c->moment,
+                                      .friction        = friction,
                                       .limit           = c->limit,
                                       .holds           = c->holds};
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -380,7 +380,8 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   if (PetscIsInfOrNanReal(size[0]) || PetscIsInfOrNanReal(size[1])) {
     /* A maximum would lose a NAN on its way. */
     PetscCall(VecSet(*reactions, NAN));
-    *certificate = (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, .energy_norm = NAN, .limit = limit};
+    *certificate =
+        (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN, NAN}, .energy_norm = NAN, .limit = limit};
     PetscCall(PetscSNPrintf(certificate->failure, sizeof(certificate->failure),
                             "the solution has numbers that are not finite; the linear systems may be singular: look "
                             "for an unsupported body, or try -pc_type lu"));

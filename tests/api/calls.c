@@ -144,6 +144,30 @@ static PetscErrorCode CheckTime(const char folder[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A block on an inclined plane: all 17 nodes of its lower side are in contact; some slide, the others stay. */
+static PetscErrorCode CheckFriction(const char folder[])
+{
+  Mortise            m;
+  MortiseCertificate certificate;
+  const PetscInt    *status;
+  PetscInt           num, count[2] = {0, 0};
+
+  PetscFunctionBeginUser;
+  PetscCall(Read(folder, "incline.opts", "incline_", &m));
+  PetscCall(MortiseSolve(m));
+  PetscCall(MortiseGetPairStatus(m, "floor", &num, &status));
+  for (PetscInt i = 0; i < num; ++i) {
+    count[0] += status[i] == MORTISE_NODE_SLIP;
+    count[1] += status[i] == MORTISE_NODE_STICK;
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_INT, MPI_SUM, PETSC_COMM_WORLD));
+  CHECK(count[0] > 0 && count[1] > 0 && count[0] + count[1] == 17);
+  PetscCall(MortiseGetCertificate(m, &certificate));
+  CHECK(certificate.holds && certificate.friction > 0 && certificate.friction <= certificate.limit);
+  PetscCall(MortiseDestroy(&m));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Each handle has its own warnings: bodies that are much too soft, beside the squeezed ones. */
 static PetscErrorCode CheckWarnings(const char folder[])
 {
@@ -224,6 +248,7 @@ static PetscErrorCode Run(const char folder[])
   PetscCall(MortiseDestroy(&squeezed));
   PetscCall(MortiseDestroy(&glued));
   PetscCall(CheckTime(folder));
+  PetscCall(CheckFriction(folder));
   PetscCall(CheckWarnings(folder));
   PetscCall(PetscOptionsClearValue(NULL, "-something_else"));
   PetscCall(CheckDatabase(folder));
