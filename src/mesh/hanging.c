@@ -451,12 +451,43 @@ static PetscErrorCode LevelListHanging_Private(const Level *level, Mat rows, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Local numbers in place of global nodes of level->hanging. Those of other ranks become ghosts. Collective.
+   [in] order - of LevelGetConformingRows_Private() */
+static PetscErrorCode LevelLocateHanging_Private(Level *level, const PetscInt order[])
+{
+  Hanging       *hanging = &level->hanging;
+  const PetscInt num = level->num_nodes, all = hanging->start[num];
+  PetscInt      *body, *fresh, added = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(all, &fresh, all, &body));
+  for (PetscInt k = 0; k < all; k++)
+    if (LevelFindNode_Private(level, num, order, hanging->node[k]) < 0) fresh[added++] = hanging->node[k];
+  PetscCall(PetscSortRemoveDupsInt(&added, fresh));
+  for (PetscInt i = 0; i < num; i++) {
+    for (PetscInt k = hanging->start[i]; k < hanging->start[i + 1]; k++) {
+      const PetscInt found = LevelFindNode_Private(level, num, order, hanging->node[k]);
+      PetscInt       ghost = 0;
+
+      if (found < 0) {
+        PetscCall(PetscFindInt(hanging->node[k], added, fresh, &ghost));
+        body[ghost] = level->node_body[i];
+      }
+      hanging->node[k] = found < 0 ? num + ghost : found;
+    }
+  }
+  PetscCall(LevelAppendGhosts_Private(level, added, fresh, body));
+  PetscCall(PetscFree2(fresh, body));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* level->hanging; nodes on which others hang become ghosts. Collective. */
 static PetscErrorCode LevelSetHanging_Private(Level *level)
 {
-  Hanging *hanging = &level->hanging;
-  PetscInt num = level->num_nodes, all, *order, *at, *body, *fresh, added = 0;
-  Mat     *rows;
+  Hanging       *hanging = &level->hanging;
+  const PetscInt num     = level->num_nodes;
+  PetscInt      *order, *at;
+  Mat           *rows;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetConformingRows_Private(level, &order, &rows));
@@ -464,25 +495,7 @@ static PetscErrorCode LevelSetHanging_Private(Level *level)
   for (PetscInt i = 0; i < num; i++) at[order[i]] = i;
   PetscCall(LevelListHanging_Private(level, rows[0], at, hanging));
   PetscCall(MatDestroySubMatrices(1, &rows));
-  all = hanging->start[num];
-  PetscCall(PetscMalloc2(all, &fresh, all, &body));
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt k = hanging->start[i]; k < hanging->start[i + 1]; k++) {
-      const PetscInt global = hanging->node[k];
-      PetscInt       found = LevelFindNode_Private(level, num, order, global), j = 0;
-
-      if (found < 0) {
-        while (j < added && fresh[j] != global) j++;
-        fresh[j] = global;
-        body[j]  = level->node_body[i];
-        found    = num + j;
-        added    = PetscMax(added, j + 1);
-      }
-      hanging->node[k] = found;
-    }
-  }
-  PetscCall(LevelAppendGhosts_Private(level, added, fresh, body));
-  PetscCall(PetscFree2(fresh, body));
+  PetscCall(LevelLocateHanging_Private(level, order));
   PetscCall(PetscFree(at));
   PetscCall(PetscFree(order));
   PetscCall(PetscMalloc1(level->num_nodes + 1, &at)); // new ghosts do not hang
