@@ -53,8 +53,8 @@ PetscErrorCode MeshForestMerge(Scene scene, MeshForest forest, DM *dm, Curves *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Describes the cells of this rank. Their numbers and those of their vertices are the points of the DM of all
-   ranks, in which cells come first.
+/* Describes the cells of this rank. Their numbers are points of the DM of all ranks, where cells come first.
+   Vertices follow, in the order of the lists.
    [in] origin - of PartitionDistribute(); num_all - cells of all ranks; [out] cells - [level->num_cells] */
 static PetscErrorCode LevelDescribeCells_Private(const Level *level, const PetscInt origin[], PetscInt num_all,
                                                  ForestCell cells[])
@@ -93,11 +93,31 @@ static void ForestLocalize_Private(MeshForest forest)
   }
 }
 
+/* The number in the lists of each cell of the DM, where cells are sorted by type. On the first rank.
+   [out] number - owned by the caller [cells of all bodies] */
+static PetscErrorCode ForestNumberCells_Private(MeshForest forest, PetscInt **number)
+{
+  PetscInt  cell = 0;
+  BodyList *lists;
+  Numbering numbering;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(forest->num_bodies, &lists));
+  for (PetscInt b = 0; b < forest->num_bodies; b++) lists[b] = forest->tree[b].list;
+  PetscCall(NumberingCreate(forest->num_bodies, lists, &numbering));
+  PetscCall(PetscMalloc1(numbering.num_cells, number));
+  for (PetscInt b = 0; b < forest->num_bodies; b++)
+    for (PetscInt c = 0; c < lists[b].num_cells; c++) (*number)[numbering.point[b][c]] = cell++;
+  PetscCall(NumberingDestroy(&numbering));
+  PetscCall(PetscFree(lists));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const PetscInt origin[])
 {
   ForestCell  *own, *all = NULL;
   PetscMPIInt  size, rank, num = (PetscMPIInt)level->num_cells, *counts, *begins;
-  PetscInt     num_all = level->num_cells;
+  PetscInt     num_all = level->num_cells, *number;
   MPI_Datatype type;
 
   PetscFunctionBeginUser;
@@ -127,10 +147,13 @@ PetscErrorCode MeshForestGather(MeshForest forest, const Level *level, const Pet
   if (!rank) {
     PetscCall(PetscMalloc1(num_all, &forest->cell));
     PetscCall(PetscMalloc1(num_all, &forest->gathered));
+    PetscCall(ForestNumberCells_Private(forest, &number));
     for (PetscInt i = 0; i < num_all; i++) {
+      all[i].cell               = number[all[i].cell];
       forest->gathered[i]       = all[i].cell;
       forest->cell[all[i].cell] = all[i];
     }
+    PetscCall(PetscFree(number));
     ForestLocalize_Private(forest);
   }
   PetscCall(PetscFree(all));

@@ -5,6 +5,9 @@ mortise_scene_test(two_plates_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${
 # Quadrilaterals and hexahedra that are kept, with hanging nodes.
 mortise_scene_test(kept SCENE two_plates CHECK plates.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -adapt 1.2e-3 -adapt_cells kept)
 mortise_scene_test(kept_1 SCENE two_plates CHECK plates.py RANKS 1 ARGS ${plates} -order 1 -adapt 3e-2 -adapt_cells kept)
+# One body's cells are kept, the other has triangles, which come first in the DM.
+mortise_scene_test(kept_mixed SCENE two_plates CHECK plates.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -lower_dm_plex_simplex 1 -adapt 1.2e-3 -adapt_cells kept)
+mortise_scene_test(kept_mixed_ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -lower_dm_plex_simplex 1 -adapt 2e-2 -adapt_cells kept)
 mortise_scene_test(kept_edge SCENE edge2d CHECK exact.py RANKS 1 LABELS sanitize ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -adapt 2e-3 -adapt_cells kept)
 mortise_scene_test(kept_ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 2e-2 -adapt_cells kept)
 mortise_scene_test(kept_solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plates} -adapt 2e-2 -adapt_cells kept)
