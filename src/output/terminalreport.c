@@ -15,21 +15,22 @@
 
 static const PetscReal PERCENT = 100;
 
-/* "force (1, -2)". Around a ring the radial parts of a force cancel: there the line has the normal and the
-   axial force. */
+/* "force (1, -2) +- 3", with the bar of the normal force. Around a ring the radial parts of a force cancel: there
+   the line has the normal and the axial force. */
 static PetscErrorCode SummaryPrintForce_Private(const SummaryInput *in, const ScenePair *spec, const PairSum *sum,
                                                 char text[], size_t len)
 {
-  char force[128];
+  char force[128], bar[32];
 
   PetscFunctionBeginUser;
+  ErrorReportPairBar(in, spec->name, "normal_force", bar, sizeof(bar));
   PetscCall(NumberWordsVector(in->scene->dim, sum->force, force, sizeof(force)));
   if (in->scene->model == MODEL_AXISYMMETRIC && spec->type == PAIR_CONTACT) {
-    PetscCall(PetscSNPrintf(text, len, "normal force %.6g, mean pressure %.6g, axial force %.6g",
-                            (double)sum->normal_force, (double)(sum->area > 0 ? sum->normal_force / sum->area : 0),
+    PetscCall(PetscSNPrintf(text, len, "normal force %.6g%s, mean pressure %.6g, axial force %.6g",
+                            (double)sum->normal_force, bar, (double)(sum->area > 0 ? sum->normal_force / sum->area : 0),
                             (double)sum->force[1]));
   } else {
-    PetscCall(PetscSNPrintf(text, len, "force %s", force));
+    PetscCall(PetscSNPrintf(text, len, "force %s%s", force, bar));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -59,24 +60,23 @@ static PetscErrorCode SummaryPrintPair_Private(const SummaryInput *in, PetscInt 
   const MPI_Comm   comm = in->scene->comm;
   const ScenePair *spec = in->vi->pairs[p]->spec;
   PairSum          sum;
-  char             force[128], at[128], bar[3][32];
+  char             force[192], at[128], bar[2][32];
 
   PetscFunctionBeginUser;
   if (!in->vi->pairs[p]->num_multipliers) PetscFunctionReturn(PETSC_SUCCESS); // a warning has the reason
-  ErrorReportPairBar(in, spec->name, "normal_force", bar[0], sizeof(bar[0]));
-  ErrorReportPairBar(in, spec->name, "max_pressure", bar[1], sizeof(bar[1]));
-  ErrorReportPairBar(in, spec->name, "area", bar[2], sizeof(bar[2]));
+  ErrorReportPairBar(in, spec->name, "max_pressure", bar[0], sizeof(bar[0]));
+  ErrorReportPairBar(in, spec->name, "area", bar[1], sizeof(bar[1]));
   PetscCall(PairSumCompute(in->fields, p, &sum));
   PetscCall(SummaryPrintForce_Private(in, spec, &sum, force, sizeof(force)));
-  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, %s%s on %s\n", spec->name,
+  PetscCall(PetscPrintf(comm, "  %s: %" PetscInt_FMT " of %" PetscInt_FMT " nodes %s, %s on %s\n", spec->name,
                         sum.active, in->vi->pairs[p]->num_multipliers, spec->type == PAIR_TIED ? "tied" : "in contact",
-                        force, bar[0], in->scene->bodies[spec->nonmortar.body].name));
+                        force, in->scene->bodies[spec->nonmortar.body].name));
   if (sum.active && spec->type == PAIR_CONTACT) {
     PetscCall(NumberWordsVector(in->scene->dim, sum.max_pressure_at, at, sizeof(at)));
-    PetscCall(PetscPrintf(comm, "    largest pressure %.6g%s at %s, ", (double)sum.max_pressure, bar[1], at));
+    PetscCall(PetscPrintf(comm, "    largest pressure %.6g%s at %s, ", (double)sum.max_pressure, bar[0], at));
     if (sum.max_covered < sum.max_pressure)
       PetscCall(PetscPrintf(comm, "where the partner ends, %.6g elsewhere, ", (double)sum.max_covered));
-    PetscCall(PetscPrintf(comm, "area %.6g%s\n", (double)sum.area, bar[2]));
+    PetscCall(PetscPrintf(comm, "area %.6g%s\n", (double)sum.area, bar[1]));
     PetscCall(SummaryPrintFriction_Private(in, p));
     PetscCall(PatchSummaryPrint(in->fields, p));
   }
