@@ -15,8 +15,8 @@
 
 static const PetscReal PERCENT = 100;
 
-/* "force (1, -2) +- 3", with the bar of the normal force. Around a ring the radial parts of a force cancel: there
-   the line has the normal and the axial force. */
+/* "force (1, -2) +- 3", with the bar of the normal force. Around a ring the radial parts of a force cancel:
+   there the line has the normal and the axial force. */
 static PetscErrorCode SummaryPrintForce_Private(const SummaryInput *in, const ScenePair *spec, const PairSum *sum,
                                                 char text[], size_t len)
 {
