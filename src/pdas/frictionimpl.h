@@ -84,9 +84,14 @@ void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[]);
 /* The part alpha of a step that minimizes the energy with the limits of the end of the step. alpha is 1
    unless slip reverses during the step, and negative if the energy rises. Collective. [in] from - y at the
    begin of the step; units have y and r of its end [n]; [in] slope - of the energy without friction, at both
-   ends */
+   ends; [out] energy - change of the energy by that part, if alpha is not 1 */
 PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
-                                   PetscReal *alpha);
+                                   PetscReal *alpha, PetscReal *energy);
+/* The end of the step, with no slip where it turned back. Collective. [in] from - as above; [out] to - y [n];
+   [out] work - change of sum G |s| */
+PetscErrorCode FrictionUnitsClip(const FrictionUnits *units, const PetscReal from[], PetscReal to[], PetscReal *work);
+/* Slipping units without slip stick next. Not collective. */
+void FrictionUnitsEnd(FrictionUnits *units);
 
 /* The last iterates of the fixed point iteration, for Anderson's acceleration. */
 enum { ANDERSON_DEPTH = 5 };

@@ -157,11 +157,38 @@ static PetscErrorCode FrictionKrylovSlope_Private(FrictionMethod method, Vec r, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Shortens the step from t->from if it is too long. */
+/* Sets y to the end of the step without the slip that turned back, if its energy is not above `energy`, that
+   of the part. Both are differences to t->begin, where the forces are t->f. [out] taken */
+static PetscErrorCode FrictionKrylovClip_Private(FrictionMethod method, PetscReal energy, PetscBool *taken)
+{
+  const ActiveSet *set = method->solver->set;
+  Krylov          *t   = method->data;
+  PetscReal       *to, slope[2], work;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(method->units.n, &to));
+  PetscCall(FrictionUnitsClip(&method->units, t->from, to, &work));
+  PetscCall(ActiveSetScatter(set, to, t->y));
+  PetscCall(PetscFree(to));
+  PetscCall(VecWAXPY(t->d, -1, t->begin, t->y));
+  PetscCall(MatMult(method->solver->A, t->y, t->r));
+  PetscCall(VecAYPX(t->r, -1, method->solver->b));
+  PetscCall(FrictionKrylovSlope_Private(method, t->f, &slope[0]));
+  PetscCall(FrictionKrylovSlope_Private(method, t->r, &slope[1]));
+  *taken = (PetscBool)((slope[0] + slope[1]) / 2 + work <= energy);
+  if (*taken) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ActiveSetScatter(set, method->units.y, t->y));
+  PetscCall(VecWAXPY(t->d, -1, t->begin, t->y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Shortens the step from t->from if it is too long: to its end without the slip that turned back, or to the
+   part with the least energy, whichever has less. */
 static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, FrictionStep *step)
 {
   Krylov   *t = method->data;
-  PetscReal slope[2], alpha;
+  PetscReal slope[2], alpha, energy;
+  PetscBool clipped = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   PetscCall(ActiveSetScatter(method->solver->set, t->from, t->begin));
@@ -170,11 +197,13 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
   PetscCall(VecAYPX(t->f, -1, method->solver->b));
   PetscCall(FrictionKrylovSlope_Private(method, t->f, &slope[0]));
   PetscCall(FrictionKrylovSlope_Private(method, t->r, &slope[1]));
-  PetscCall(FrictionUnitsSearch(&method->units, t->from, slope, &alpha));
+  PetscCall(FrictionUnitsSearch(&method->units, t->from, slope, &alpha, &energy));
   if (alpha == 1) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscInfo(t->linear.ksp, "step shortened to %g\n", (double)alpha));
-  PetscCall(VecWAXPY(t->y, alpha, t->d, t->begin));
+  if (alpha > 0) PetscCall(FrictionKrylovClip_Private(method, energy, &clipped));
+  PetscCall(PetscInfo(t->linear.ksp, "step shortened to %g%s\n", (double)alpha, clipped ? " or clipped" : ""));
+  if (!clipped) PetscCall(VecWAXPY(t->y, alpha, t->d, t->begin));
   PetscCall(FrictionKrylovEvaluate_Private(method, step));
+  if (clipped) FrictionUnitsEnd(&method->units);
   step->shortened = PETSC_TRUE;
   step->done      = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);

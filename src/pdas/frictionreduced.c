@@ -39,25 +39,45 @@ static PetscReal FrictionReducedSlope_Private(const Reduced *t)
   return slope;
 }
 
-/* Shortens the step from t->from if it is too long. */
-static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *shortened)
+/* Slopes of the energy without friction at t->from and at t->to, where y and the forces are left. */
+static PetscErrorCode FrictionReducedSlopes_Private(Reduced *t, PetscReal slope[2])
 {
   FrictionUnits *units = t->problem.units;
-  PetscReal      slope[2], alpha;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscArraycpy(t->to, units->y, units->n));
   PetscCall(PetscArraycpy(units->y, t->from, units->n));
   PetscCall(FrictionProblemSetForces(&t->problem));
   slope[0] = FrictionReducedSlope_Private(t);
   PetscCall(PetscArraycpy(units->y, t->to, units->n));
   PetscCall(FrictionProblemSetForces(&t->problem));
   slope[1] = FrictionReducedSlope_Private(t);
-  PetscCall(FrictionUnitsSearch(units, t->from, slope, &alpha));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Shortens the step from t->from if it is too long: to its end without the slip that turned back, or to the
+   part with the least energy, whichever has less. */
+static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *shortened)
+{
+  FrictionUnits *units = t->problem.units;
+  PetscReal      slope[2], alpha, energy, work, *part;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArraycpy(t->to, units->y, units->n));
+  PetscCall(FrictionReducedSlopes_Private(t, slope));
+  PetscCall(FrictionUnitsSearch(units, t->from, slope, &alpha, &energy));
   *shortened = (PetscBool)(alpha != 1);
   if (!*shortened) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt i = 0; i < units->n; i++) units->y[i] = t->from[i] + alpha * (t->to[i] - t->from[i]);
-  PetscCall(FrictionProblemSetForces(&t->problem));
+  PetscCall(PetscMalloc1(units->n, &part));
+  for (PetscInt i = 0; i < units->n; i++) part[i] = t->from[i] + alpha * (t->to[i] - t->from[i]);
+  PetscCall(FrictionUnitsClip(units, t->from, t->to, &work));
+  PetscCall(FrictionReducedSlopes_Private(t, slope));
+  if (alpha > 0 && (slope[0] + slope[1]) / 2 + work <= energy) {
+    FrictionUnitsEnd(units);
+  } else {
+    PetscCall(PetscArraycpy(units->y, part, units->n));
+    PetscCall(FrictionProblemSetForces(&t->problem));
+  }
+  PetscCall(PetscFree(part));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -6,8 +6,12 @@
    whose slip ends at alpha sticks in the next decisions. Therefore the units of a body that friction alone
    holds cannot alternate between directions of slip for ever [1].
 
+   Where slip reverses at many units, that is one unit per step. Therefore the end of the step is tried, too,
+   with no slip at the units where it reversed [2]. If its J is less, all these units stick next.
+
    References: [1] Graeser, Kornhuber, Multigrid methods for obstacle problems, 2009: truncated nonsmooth
-   Newton methods. */
+   Newton methods. [2] Andrew, Gao, Scalable training of L1-regularized log-linear models, 2007: projection
+   onto the orthant where |s| is smooth. */
 #include "pdas/frictionimpl.h"
 
 /* A step is shortened if the slope of the energy at its end is above this part of the slope at its begin.
@@ -116,16 +120,66 @@ static PetscErrorCode FrictionSearchMark_Private(FrictionUnits *units, const Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
-                                   PetscReal *alpha)
+/* Change of sum G |s| between two values of y. Collective. */
+static PetscErrorCode FrictionSearchWork_Private(const FrictionUnits *units, const PetscReal from[],
+                                                 const PetscReal to[], PetscReal *work)
 {
-  PetscReal begin, end, inner = 0, outer;
+  PetscFunctionBeginUser;
+  *work = 0;
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit   = &units->unit[a];
+    PetscReal           before = 0, after = 0;
+
+    for (PetscInt i = 0; i < unit->num; i++) {
+      before += PetscSqr(from[unit->tangent[i]] - unit->origin[i]);
+      after += PetscSqr(to[unit->tangent[i]] - unit->origin[i]);
+    }
+    *work += FrictionUnitLimit(unit, units->r[unit->normal]) * (PetscSqrtReal(after) - PetscSqrtReal(before));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, work, 1, MPIU_REAL, MPI_SUM, units->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionUnitsClip(const FrictionUnits *units, const PetscReal from[], PetscReal to[], PetscReal *work)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscArraycpy(to, units->y, units->n));
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit  = &units->unit[a];
+    PetscReal           along = 0;
+
+    for (PetscInt i = 0; i < unit->num; i++)
+      along += unit->direction[i] * (units->y[unit->tangent[i]] - unit->origin[i]);
+    for (PetscInt i = 0; unit->status == UNIT_SLIP && along < 0 && i < unit->num; i++)
+      to[unit->tangent[i]] = unit->origin[i];
+  }
+  PetscCall(FrictionSearchWork_Private(units, from, to, work));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void FrictionUnitsEnd(FrictionUnits *units)
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit *unit  = &units->unit[a];
+    PetscBool     still = PETSC_TRUE;
+
+    for (PetscInt i = 0; i < unit->num; i++)
+      still = (PetscBool)(still && units->y[unit->tangent[i]] == unit->origin[i]);
+    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && still);
+  }
+}
+
+PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
+                                   PetscReal *alpha, PetscReal *energy)
+{
+  PetscReal begin, end, inner = 0, outer, *to;
 
   PetscFunctionBeginUser;
   PetscCall(FrictionSearchEnergy_Private(units, from, slope, 0, &begin));
   outer = begin > 0 ? -1 : 1; // roundoff decides where a nearly singular system leads
   PetscCall(FrictionSearchEnergy_Private(units, from, slope, outer, &end));
-  *alpha = outer;
+  *alpha  = outer;
+  *energy = 0;
   if (begin * end >= 0 || PetscAbsReal(end) <= OVERSHOOT * PetscAbsReal(begin)) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < BISECTIONS; k++) {
     const PetscReal middle = (inner + outer) / 2;
@@ -138,6 +192,11 @@ PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[],
       outer = middle;
   }
   *alpha = outer;
+  PetscCall(PetscMalloc1(units->n, &to));
+  for (PetscInt i = 0; i < units->n; i++) to[i] = from[i] + outer * (units->y[i] - from[i]);
+  PetscCall(FrictionSearchWork_Private(units, from, to, energy));
+  *energy += outer * slope[0] + outer * outer * (slope[1] - slope[0]) / 2;
+  PetscCall(PetscFree(to));
   if (units->waiting >= SLOW_STEPS) PetscCall(FrictionSearchMark_Private(units, from, outer));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,0 +1,16 @@
+"""A strip that is drawn out of jaws and let go: slip spreads from its end, then turns back from there. Where it slipped without turning back, tractions stay exactly at their limit
+without slip, and Newton's steps would pass that state node by node: 101 and 86 steps before slip that turns back within a step was clipped."""
+from judge import near, require
+
+FRICTION, STIFFNESS, PULL = 0.2 * 200, 1e6 * 0.05, 2240 * 0.05
+MOST = {"cholesky": 12, "truncatedmg": 20}  # Newton steps in one step, with those of the proximal point iteration
+
+
+def judge(run):
+    moved = PULL**2 / (2 * FRICTION * STIFFNESS)
+    for solver, most in MOST.items():
+        done = run.again("-pc_type", solver, name=solver)
+        steps = done.summary["steps"][1:]
+        near("moves", [step["probes"]["end"]["displacement"][0] for step in steps], [moved, moved * 7 / 8, moved / 2], relative=1e-2)
+        near("friction", [step["pairs"]["jaw"]["tangential_force"][0] for step in steps], [-PULL, -PULL / 2, 0], absolute=1e-7 * PULL)
+        require(max(step["iterations"] for step in steps) <= most, f"{solver}: {[step['iterations'] for step in steps]} Newton steps")
