@@ -242,8 +242,8 @@ static PetscErrorCode MortarIntegralsAssemble_Private(Mat A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The displacement of hanging nodes of a mortar side is that of the nodes that they hang on: M := M S, and
-   the same of the arm. Collective. */
+/* Hanging nodes of a mortar side have the displacement of the nodes that they hang on: M := M S. The arm
+   follows the same rule. Collective. */
 static PetscErrorCode MortarIntegralsConform_Private(Level *level, MortarIntegrals *sums)
 {
   Mat  S, product;

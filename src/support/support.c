@@ -89,7 +89,7 @@ static PetscErrorCode GatherHold_Private(Gather *gather, PetscInt node, PetscInt
 }
 
 /* Flags the nodes of a side on all ranks that hold them. In place of a node that hangs it flags those that it
-   hangs on: its displacement is theirs, and they lie on the side as well.
+   hangs on. Its displacement is theirs, and they lie on the side as well.
    [out] local - form of gather->flags, to be restored by the caller */
 static PetscErrorCode GatherFlagSide_Private(Gather *gather, PetscInt body, const char side[], Vec *local)
 {

@@ -1,5 +1,5 @@
-/* fuzz_msh.c -- a Gmsh file, read as it is, and as the body of a scene whose mesh is set up: regions, sides, tables, refinement,
-   supports, roles.
+/* fuzz_msh.c -- a Gmsh file, read as it is, and as the body of a scene. The mesh of the scene is set up: regions, sides, tables,
+   refinement, supports, roles.
 
    What the scene asks of the file are the bits of the file's last byte, which is no part of any section. */
 #define _GNU_SOURCE

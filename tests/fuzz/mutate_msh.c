@@ -1,8 +1,8 @@
 /* mutate_msh.c -- changes of a Gmsh file that leave most of it sound, for libFuzzer.
 
-   Changed bytes end in the reader. What lies behind it is reached by meshes: a file that can be read is taken as a list of
-   nodes and elements, one or a few of these are changed, and the list is written again in any of the four formats (2.2 and
-   4.1, text and binary). Other files, and every third of these, are changed as texts or as bytes. */
+   Changed bytes end in the reader. Meshes reach what lies behind it: a file that can be read becomes a list of nodes and
+   elements. One or a few of these are changed. The list is written again in any of the four formats (2.2 and 4.1, text and
+   binary). Other files, and every third of these, are changed as texts or as bytes. */
 #include "mesh/meshimpl.h"
 #include "mutate.h"
 #include <stdio.h>

@@ -18,8 +18,8 @@ static inline void RandomPoint(ElementType type, PetscReal xi[])
   } while (ElementLinear(type) == ELEMENT_TRI3 && xi[0] + xi[1] > 1.);
 }
 
-/* Puts the middles of facets near the middles of the chords, and that of a cell near the mean of its vertices: sides are
-   curved by up to bend, in parts of a side. */
+/* Puts the middles of facets near the middles of the chords, and that of a cell near the mean of its vertices. Sides are
+   then curved by up to bend, in parts of a side. */
 static inline void BendSides(ElementType type, PetscReal bend, PetscReal X[])
 {
   const PetscInt dim = ElementDim(type), num_vertices = ElementNumNodes(ElementLinear(type));
