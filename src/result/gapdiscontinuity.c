@@ -2,8 +2,9 @@
 
    G_a / D_aa is a mean with weights psi_a, which are negative in part. It is right for gaps that are linear
    on a facet, and too small by some h^2 / (12 R) where a curve comes nearest. The gap may have a step or
-   sharp bend within a facet, by a formula that jumps, or by a groove of the other side. There the mean may be far below all values of the gap. Contact then acts as if bodies overlapped. In scenes whose
-   facets follow their curves it is less than a thousandth of the displacements. */
+   sharp bend within a facet, by a formula that jumps, or by a groove of the other side. There the mean may
+   be far below all values of the gap. Contact then acts as if bodies overlapped. In scenes whose facets
+   follow their curves it is less than a thousandth of the displacements. */
 #include "base/compat.h"
 #include "base/json.h"
 #include "result/gapdiscontinuity.h"

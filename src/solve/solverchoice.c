@@ -13,9 +13,9 @@
 #include "solve/solverimpl.h"
 
 /* Unknowns up to which factorizations are faster than iterations. In 2D that is without coarser meshes for
-   multigrid, in 3D where it needs many iterations (nearly incompressible bodies).
-   Triangles from a file, 10 sets, 414000 unknowns: 7.1 s and 1.0 GB by factorization, 20 s and 0.8 GB by iterations. In 3D one factorization per
-   active set costs as much as its iterations much earlier than one for all sets. */
+   multigrid, in 3D where it needs many iterations (nearly incompressible bodies). Triangles from a file,
+   10 sets, 414000 unknowns: 7.1 s and 1.0 GB by factorization, 20 s and 0.8 GB by iterations. In 3D one
+   factorization per active set costs as much as its iterations much earlier than one for all sets. */
 static const PetscInt DIRECT_2D = 1000000, DIRECT_3D = 150000, DIRECT_3D_EACH = 40000;
 
 PetscBool SolverChoiceFactors(const char pc[])
