@@ -13,6 +13,8 @@ static const PetscReal REGULARIZATION = 1e-6;
 /* Loads move bodies towards a target this many times farther than the largest gap, as far as contact
    permits. */
 static const PetscReal TARGET_DISTANCE = 1e3;
+/* A motion below this part of the way to the target is none. */
+static const PetscReal STANDS_STILL = 1e-9;
 /* Remaining gaps below this part of the largest gap, or of the expected displacement, count as closed. */
 static const PetscReal GAP_CLOSED = 1e-9;
 
@@ -159,6 +161,30 @@ static PetscErrorCode RegularizationSetDiagonal_Private(VI vi, Vec diagonal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether friction holds all bodies where they touch. If they slid along each other to other contacts, their
+   positions would lie in the last digits of that way. Collective. [in] bound - gap of each row [num_rows];
+   [in] target - [m] */
+static PetscErrorCode RegularizationHolds_Private(VI vi, Solvability s, const PetscReal bound[],
+                                                  const PetscReal target[], PetscBool *holds)
+{
+  const Cone cone = ContactRowsCone(vi, s, &s->friction);
+  PetscReal *wide, *q, way = 0, all = 0;
+
+  PetscFunctionBeginUser;
+  *holds = PETSC_FALSE;
+  if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc2(s->friction.num, &wide, s->m, &q));
+  for (PetscInt i = 0; i < s->friction.num; i++) wide[i] = s->friction.equality[i] ? 0 : bound[s->friction_row[i]];
+  PetscCall(ConeProject(&cone, wide, target, q));
+  for (PetscInt k = 0; k < s->m; k++) {
+    way += q[k] * q[k];
+    all += target[k] * target[k];
+  }
+  *holds = (PetscBool)(way <= PetscSqr(STANDS_STILL) * all);
+  PetscCall(PetscFree2(wide, q));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Moves bodies rigidly until they touch, as far as the loads drive them: the iteration would close wide gaps
    slowly.
    [out] left - remaining gap of each row, overlaps unchanged [num_rows]; [out] largest - initial gap */
@@ -181,10 +207,12 @@ static PetscErrorCode RegularizationSetApproach_Private(VI vi, Solvability s, Pe
   PetscCall(VecZeroEntries(s->approach));
   if (*largest > 0 && size > 0) {
     PetscReal *target;
+    PetscBool  holds;
 
     PetscCall(PetscMalloc1(s->m, &target));
     for (PetscInt k = 0; k < s->m; k++) target[k] = TARGET_DISTANCE * *largest * s->work[k] / size;
-    PetscCall(ConeProject(&cone, bound, target, q));
+    PetscCall(RegularizationHolds_Private(vi, s, bound, target, &holds));
+    if (!holds) PetscCall(ConeProject(&cone, bound, target, q));
     PetscCall(PetscFree(target));
     for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(s->approach, q[k] / vi->length, s->modes[k]));
     for (PetscInt r = 0; r < vi->num_rows; r++)
