@@ -1,5 +1,5 @@
-"""Rings from files whose sides are taken for smooth. New nodes are on the circles, also in the middle of faces. Lame's pressure lies within its
-bar."""
+"""Rings from files whose sides are taken for smooth. New nodes are on the circles, also in the middle of faces, and where hexahedra were cut.
+Lame's pressure lies within its bar."""
 from judge import near
 
 PRESSURE = 0.128781
@@ -8,5 +8,7 @@ PRESSURE = 0.128781
 def judge(run):
     near("mean pressure", run.pair("fit")["mean_pressure"], PRESSURE, absolute=run.summary["bars"]["pairs"]["fit"]["mean_pressure"])
     near("mean pressure", run.pair("fit")["mean_pressure"], PRESSURE, relative=1e-2)
+    if "kept" not in run.arguments:
+        return
     linear = run.again("-order", "1", "-adapt", "0.35", name="linear")
     near("order 1: force", linear.pair("fit")["force"][0], PRESSURE * 2, relative=0.1)
