@@ -6,6 +6,7 @@
 #include "kernel/frame.h"
 #include "contact/pair.h"
 #include "contact/pairassembly.h"
+#include "contact/heldfriction.h"
 #include "contact/heldrows.h"
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
@@ -263,6 +264,13 @@ static PetscErrorCode PairSetShares_Private(Level *level, Pair pair)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PairFindSliding(const Pair pair, const Support *support, PetscBool slides[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(HeldFrictionFind(pair->level, support, pair->M, pair->num, pair->nodes, pair->D, slides));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Redistributes removed rows and collects kept ones. Collective. */
 static PetscErrorCode PairFinish_Private(Level *level, const Support *support, PairAssembly *assembly, Pair pair)
 {
@@ -270,6 +278,8 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
 
   PetscFunctionBeginUser;
   PetscCall(QuadraticBasisCreate(level, &sums->carrying.facets, sums->carrier, &pair->to_nodal, &pair->from_nodal));
+  if (ScenePairHasFriction(pair->spec))
+    PetscCall(HeldFrictionRemove(level, support, &sums->carrying.facets, sums, assembly->status));
   PetscCall(RedistributionApply(level, &sums->carrying.facets, assembly->status, sums, &pair->D_other));
   if (pair->spec->type == PAIR_TIED && sums->M)
     PetscCall(HeldRowsPass(level, support, &sums->carrying.facets, assembly->status, sums, pair));
@@ -281,6 +291,10 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   pair->num_boundary = sums->num_boundary;
   pair->boundary     = sums->boundary;
   sums->boundary     = NULL;
+  if (ScenePairHasFriction(pair->spec)) {
+    PetscCall(PetscMalloc1(pair->num, &pair->slides));
+    PetscCall(PairFindSliding(pair, support, pair->slides));
+  }
   PairTakePoints_Private(assembly, pair);
   PetscCall(PairAssemblyDestroy(assembly));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -302,6 +316,26 @@ PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pa
   for (PetscInt p = 0; p < scene->num_pairs; p++)
     PetscCall(PairFinish_Private(level, support, &assemblies[p], pairs[p]));
   PetscCall(PetscFree(assemblies));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PairsSlideElsewhere(Level *level, const Support *support, PetscInt num, const Pair pairs[],
+                                   PetscBool *elsewhere)
+{
+  PetscFunctionBeginUser;
+  *elsewhere = PETSC_FALSE;
+  for (PetscInt p = 0; p < num; p++) {
+    const Pair pair = pairs[p];
+    PetscBool *slides;
+
+    if (!pair->slides) continue;
+    PetscCall(PetscMalloc1(pair->num, &slides));
+    PetscCall(PairFindSliding(pair, support, slides));
+    for (PetscInt a = 0; a < pair->num; a++)
+      if (slides[a] && !pair->slides[a]) *elsewhere = PETSC_TRUE;
+    PetscCall(PetscFree(slides));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, elsewhere, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -360,6 +394,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(MatDestroy(&(*pair)->from_nodal));
   PetscCall(PetscFree4((*pair)->partly_covered, (*pair)->fully_covered, (*pair)->overlap, (*pair)->cover));
   PetscCall(PetscFree((*pair)->share));
+  PetscCall(PetscFree((*pair)->slides));
   PetscCall(PetscFree((*pair)->beyond));
   PetscCall(PetscFree((*pair)->boundary));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));

@@ -36,6 +36,7 @@ struct _n_Pair {
   PetscBool *partly_covered; /* whether a facet around the node is covered in part; boundary has where [num] */
   PetscBool *fully_covered;  /* whether a facet around the node is covered completely [num] */
   PetscReal *cover;          /* the part of the facets around the node that is covered, 0..1 [num] */
+  PetscBool *slides;         /* with friction: whether a support moves the node along its partner; else NULL [num] */
   PetscInt   num_beyond;
   PetscInt
       *beyond; /* local nodes without a multiplier that the partner hardly covers: they lie outside it [num_beyond] */
@@ -65,6 +66,13 @@ PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pa
    [in,out] pairs - their gaps;
    [out] same - false where other nodes would have multipliers: then pairs are unchanged */
 PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support, Pair pairs[], PetscBool *same);
+/* Nodes that a support holds along their partner, and that slide: the mortar side is free there, or supports
+   move the two sides along each other. Friction has no unknown there. Collective. [out] slides - [num] */
+PetscErrorCode PairFindSliding(const Pair pair, const Support *support, PetscBool slides[]);
+/* Whether supports now move nodes along their partners that they did not when the pairs were created: other
+   nodes would have multipliers then. Collective. */
+PetscErrorCode PairsSlideElsewhere(Level *level, const Support *support, PetscInt num, const Pair pairs[],
+                                   PetscBool *elsewhere);
 /* Collective. */
 PetscErrorCode PairDestroy(Pair *pair);
 

@@ -254,8 +254,15 @@ PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated)
   *updated = (PetscBool) !(changed & (DATUM_MATERIAL | DATUM_MESH));
   if (!*updated) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LogStageBegin(STAGE_MORTAR));
-  if (changed & DATUM_DISPLACEMENT) PetscCall(SupportUpdate(vi->level, vi->scene, &vi->support));
-  if (changed & DATUM_GAP) PetscCall(PairsUpdateGaps(vi->scene, vi->level, &vi->support, vi->pairs, updated));
+  if (changed & DATUM_DISPLACEMENT) {
+    PetscBool elsewhere;
+
+    PetscCall(SupportUpdate(vi->level, vi->scene, &vi->support));
+    PetscCall(PairsSlideElsewhere(vi->level, &vi->support, vi->num_pairs, vi->pairs, &elsewhere));
+    *updated = (PetscBool)!elsewhere;
+  }
+  if (*updated && changed & DATUM_GAP)
+    PetscCall(PairsUpdateGaps(vi->scene, vi->level, &vi->support, vi->pairs, updated));
   PetscCall(LogStageEnd(STAGE_MORTAR));
   if (!*updated) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LogStageBegin(STAGE_ASSEMBLY));

@@ -152,140 +152,24 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Component k, l of sum d d' over the held directions d of each node. [out] held - node by node, owned by the
-   caller */
-static PetscErrorCode FrictionFieldsCreateHeld_Private(VI vi, PetscInt k, PetscInt l, Vec *held)
-{
-  const Support *support = &vi->support;
-  PetscScalar   *value;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(vi->level, 1, held));
-  PetscCall(VecGetArray(*held, &value));
-  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
-    value[i] = 0;
-    for (PetscInt j = 0; j < support->count[i]; j++) {
-      const PetscReal *d = &support->directions[(i * support->dim + j) * support->dim];
-
-      value[i] += d[k] * d[l];
-    }
-  }
-  PetscCall(VecRestoreArray(*held, &value));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* M times these components: how far supports hold the mortar side at nodes of pair p. Collective.
-   [out] share - symmetric matrices, owned by the caller [num_owned][dim][dim] */
-static PetscErrorCode FrictionFieldsShareHeld_Private(VI vi, PetscInt p, PetscReal **share)
-{
-  const PetscInt dim = vi->level->dim, num = vi->level->num_owned;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(num * dim * dim, share));
-  for (PetscInt k = 0; k < dim; k++)
-    for (PetscInt l = 0; l <= k; l++) {
-      Vec                held, sum;
-      const PetscScalar *value;
-
-      PetscCall(FrictionFieldsCreateHeld_Private(vi, k, l, &held));
-      PetscCall(VecDuplicate(held, &sum));
-      PetscCall(MatMult(vi->pairs[p]->M, held, sum));
-      PetscCall(VecGetArrayRead(sum, &value));
-      for (PetscInt i = 0; i < num; i++)
-        (*share)[(i * dim + k) * dim + l] = (*share)[(i * dim + l) * dim + k] = PetscRealPart(value[i]);
-      PetscCall(VecRestoreArrayRead(sum, &value));
-      PetscCall(VecDestroy(&sum));
-      PetscCall(VecDestroy(&held));
-    }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* M times the prescribed displacements of the mortar side, at nodes of pair p. Collective.
-   [out] moved - owned by the caller [num_owned][dim] */
-static PetscErrorCode FrictionFieldsMoveMortar_Private(VI vi, PetscInt p, PetscReal **moved)
-{
-  const Support   *support = &vi->support;
-  const PetscInt   dim = vi->level->dim, num = vi->level->num_owned;
-  Vec              given, sum;
-  PetscReal       *value;
-  const PetscReal *result;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(num * dim, moved));
-  PetscCall(LevelCreateVec(vi->level, 1, &given));
-  PetscCall(VecDuplicate(given, &sum));
-  for (PetscInt k = 0; k < dim; k++) {
-    PetscCall(VecZeroEntries(given));
-    PetscCall(VecGetArray(given, &value));
-    for (PetscInt i = 0; i < num; i++)
-      for (PetscInt j = 0; j < support->count[i]; j++)
-        value[i] += support->values[i * dim + j] * support->directions[(i * dim + j) * dim + k];
-    PetscCall(VecRestoreArray(given, &value));
-    PetscCall(MatMult(vi->pairs[p]->M, given, sum));
-    PetscCall(VecGetArrayRead(sum, &result));
-    for (PetscInt i = 0; i < num; i++) (*moved)[i * dim + k] = result[i];
-    PetscCall(VecRestoreArrayRead(sum, &result));
-  }
-  PetscCall(VecDestroy(&sum));
-  PetscCall(VecDestroy(&given));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Whether friction is lost along the held direction j of node a of a pair. Its mortar nodes are free then, or
-   supports move the two sides along each other. On a plane of symmetry both are held, with the same value.
-   [in] share, moved - of the functions above, or NULL for an obstacle */
-static PetscBool FrictionFieldsIsLost_Private(const Support *support, const Pair pair, PetscInt a, PetscInt j,
-                                              const PetscReal share[], const PetscReal moved[])
-{
-  const PetscInt   dim = support->dim, i = pair->nodes[a];
-  const PetscReal *d     = &support->directions[(i * dim + j) * dim];
-  PetscReal        given = 0, held = 0;
-
-  for (PetscInt k = 0; share && k < dim; k++) held += d[k] * VectorDot(dim, &share[(i * dim + k) * dim], d);
-  if (share && PetscAbsReal(held) <= STUCK * pair->D[a]) return PETSC_TRUE;
-  if (share) given = VectorDot(dim, &moved[i * dim], d) / held;
-  return (PetscBool)(PetscAbsReal(support->values[i * dim + j] - given) > STUCK * support->max_value);
-}
-
-/* Marks normal rows of pair p in contact whose node loses friction.
-   [in] share, moved - or NULL for an obstacle; [in,out] chosen - [num_rows] */
-static void FrictionFieldsMarkHeld_Private(Fields fields, PetscInt p, const PetscReal share[], const PetscReal moved[],
-                                           PetscBool chosen[])
-{
-  const VI   vi   = fields->vi;
-  const Pair pair = vi->pairs[p];
-
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscInt a = vi->row_node[r];
-
-    if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
-    for (PetscInt j = 0; j < vi->support.count[pair->nodes[a]]; j++)
-      if (FrictionFieldsIsLost_Private(&vi->support, pair, a, j, share, moved)) chosen[r] = PETSC_TRUE;
-  }
-}
-
 PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal *share, PetscReal at[])
 {
-  const VI   vi    = fields->vi;
-  const Pair pair  = vi->pairs[p];
-  PetscReal *fixed = NULL, *moved = NULL, areas[2] = {0, 0};
-  PetscBool *chosen;
+  const VI   vi       = fields->vi;
+  const Pair pair     = vi->pairs[p];
+  PetscReal  areas[2] = {0, 0};
+  PetscBool *slides, *chosen;
 
   PetscFunctionBeginUser;
   *num = 0;
   if (!ScenePairHasFriction(pair->spec)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(pair->num, &slides));
   PetscCall(PetscCalloc1(vi->num_rows, &chosen));
-  if (pair->M) {
-    PetscCall(FrictionFieldsShareHeld_Private(vi, p, &fixed));
-    PetscCall(FrictionFieldsMoveMortar_Private(vi, p, &moved));
-  }
-  FrictionFieldsMarkHeld_Private(fields, p, fixed, moved, chosen);
-  PetscCall(PetscFree(fixed));
-  PetscCall(PetscFree(moved));
+  PetscCall(PairFindSliding(pair, &vi->support, slides));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
     areas[1] += fields->row_weight[r];
-    if (!chosen[r]) continue;
+    if (!slides[vi->row_node[r]]) continue;
+    chosen[r] = PETSC_TRUE;
     areas[0] += fields->row_weight[r];
     ++*num;
   }
@@ -293,6 +177,7 @@ PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, 
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, areas, 2, MPIU_REAL, MPI_SUM, vi->level->comm));
   *share = areas[1] > 0 ? areas[0] / areas[1] : 0;
   if (*num) PetscCall(PairSumFindFirstPlace(vi, chosen, at));
+  PetscCall(PetscFree(slides));
   PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

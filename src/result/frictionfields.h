@@ -29,8 +29,8 @@ PetscErrorCode FrictionFieldsSetStatus(Fields fields);
    [out] slip - of the nonmortar side against it, in this load step; NAN without a multiplier
    [num_owned][dim] */
 PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[], PetscReal slip[]);
-/* Nodes of pair p in contact whose friction is lost. Either a support holds them along the side while the
-   mortar side there is free. Or supports move them along the mortar side or the obstacle. Collective.
+/* Nodes of pair p in contact whose friction is lost, because supports hold all nodes around as well.
+   Collective.
    [out] num - of all ranks; [out] share - their part of the area in contact;
    [out] at - the first of them by coordinates [dim] */
 PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal *share, PetscReal at[]);

@@ -50,6 +50,61 @@ static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, P
   }
 }
 
+/* Adds the weights |D_ac| of nodes c without a multiplier, separately for nodes a in contact and others.
+   [in,out] weights - of closed and of open nodes a, at nodes c. Collective. */
+static PetscErrorCode PairSumWeighTaken_Private(Fields fields, PetscInt p, const Vec weights[2])
+{
+  const VI           vi   = fields->vi;
+  const Pair         pair = vi->pairs[p];
+  PetscInt           num;
+  const PetscInt    *columns;
+  const PetscScalar *values;
+
+  PetscFunctionBeginUser;
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const Vec to = weights[fields->row_status[r] == STATUS_OPEN ? 1 : 0];
+    PetscInt  row;
+
+    if (vi->row_pair[r] != p || vi->row_direction[r]) continue;
+    row = vi->level->node_begin + pair->nodes[vi->row_node[r]];
+    PetscCall(MatGetRow(pair->D_other, row, &num, &columns, &values));
+    for (PetscInt c = 0; c < num; c++) PetscCall(VecSetValue(to, columns[c], PetscAbsScalar(values[c]), ADD_VALUES));
+    PetscCall(MatRestoreRow(pair->D_other, row, &num, &columns, &values));
+  }
+  for (PetscInt i = 0; i < 2; i++) PetscCall(VecAssemblyBegin(weights[i]));
+  for (PetscInt i = 0; i < 2; i++) PetscCall(VecAssemblyEnd(weights[i]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Extends the contact by nodes whose rows only nodes in contact took over. Nodes beyond the partner's end are
+   not among them. [in,out] largest - of this rank. Collective. */
+static PetscErrorCode PairSumExtend_Private(Fields fields, PetscInt p, PetscReal largest[])
+{
+  const Level       *level = fields->vi->level;
+  const Pair         pair  = fields->vi->pairs[p];
+  PetscScalar       *closed;
+  const PetscScalar *open;
+  Vec                weights[2];
+
+  PetscFunctionBeginUser;
+  if (!pair->D_other) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt i = 0; i < 2; i++) PetscCall(MatCreateVecs(pair->D_other, &weights[i], NULL));
+  PetscCall(PairSumWeighTaken_Private(fields, p, weights));
+  PetscCall(VecGetArray(weights[0], &closed));
+  PetscCall(VecGetArrayRead(weights[1], &open));
+  for (PetscInt i = 0; i < pair->num_beyond; i++) closed[pair->beyond[i]] = 0;
+  for (PetscInt c = 0; c < level->num_owned; c++) {
+    for (PetscInt k = 0; PetscRealPart(closed[c]) > 0 && open[c] == 0.0 && k < level->dim; k++) {
+      largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -level->coords[c * level->dim + k]);
+      largest[MAX_UPPER + k] = PetscMax(largest[MAX_UPPER + k], level->coords[c * level->dim + k]);
+    }
+  }
+  PetscCall(VecRestoreArrayRead(weights[1], &open));
+  PetscCall(VecRestoreArray(weights[0], &closed));
+  for (PetscInt i = 0; i < 2; i++) PetscCall(VecDestroy(&weights[i]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PairSumFindFirstPlace(VI vi, const PetscBool chosen[], PetscReal at[])
 {
   const PetscInt dim = vi->level->dim;
@@ -208,6 +263,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] == p) PairSumAddRow_Private(fields, r, lambda[r], slack[r], sums, largest);
   }
+  if (fields->lambda) PetscCall(PairSumExtend_Private(fields, p, largest));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, ADD_COUNT, MPIU_REAL, MPI_SUM, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, vi->level->comm));
   sum->normal_force = sums[ADD_NORMAL];

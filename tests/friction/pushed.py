@@ -1,9 +1,21 @@
-"""Friction that a prescribed displacement takes from a node is told, with its part of the area; where nothing moves along the partner, none is lost."""
-from judge import require, same
+"""A block pushed over a floor by its own side: all of its weight rubs, in one step or two. If supports move all of the nodes, friction is lost, and told."""
+from judge import near, require, same
+
+
+def rubs(run):
+    pair = run.summary["pairs"]["floor"]
+    near("friction", pair["tangential_force"][0], -0.3 * pair["normal_force"], relative=2e-4)  # in space some of it acts across
+    near("extent", pair["extent"]["lower"][0], 0.0, absolute=1e-12)
 
 
 def judge(run):
-    (warning,) = run.summary["warnings"]
-    same("warned of", [warning["code"], warning["pair"], warning["at"]], ["held_friction", "floor", [0, 0]])
-    require("8.33 % of its area" in warning["text"], warning["text"])
-    run.again("-block_bc_displacement_left", "0,free", name="still", warns=set())
+    dim = len(run.summary["pairs"]["floor"]["force"])
+    rubs(run)
+    rubs(run.again("-load_steps", "1,2", "-block_bc_displacement_left", "1e-2*max(t-1,0),free" + ",free" * (dim - 2), name="later", warns=set()))
+    rubs(run.again("-order", "2", name="quadratic", warns=set()))
+    if dim == 2:
+        run.again("-block_bc_displacement_left", "0,free", name="still", warns=set())
+        dragged = run.again("-block_bc_displacement", "left,bottom", "-block_bc_displacement_bottom", "1e-2,free", name="dragged", warns={"held_friction"})
+        (warning,) = dragged.summary["warnings"]
+        same("at", [warning["pair"], warning["at"]], ["floor", [0, 0]])
+        require("at 7 nodes in" in warning["text"] and "100 % of its area" in warning["text"], warning["text"])

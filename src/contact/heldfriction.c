@@ -1,0 +1,181 @@
+/* heldfriction.c -- nodes whose friction supports would take.
+
+   A support fixes such a node along its partner, which moves otherwise. The node has no unknown there on
+   which friction could act. Without it, the resultant of friction would lack the node's part of the side. */
+#include "base/compat.h"
+#include "contact/heldfriction.h"
+#include "kernel/vector.h"
+
+/* Displacements below this part of the largest prescribed one are roundoff, and so are such parts of D. */
+static const PetscReal STUCK = 1e-9;
+
+/* M times the values of one component at the mortar side. [in,out] component - owned nodes [num_owned] */
+static PetscErrorCode HeldFrictionAverage_Private(Level *level, Mat M, PetscReal component[])
+{
+  Vec                own, sums;
+  const PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &own));
+  PetscCall(VecDuplicate(own, &sums));
+  PetscCall(VecPlaceArray(own, component));
+  PetscCall(MatMult(M, own, sums));
+  PetscCall(VecResetArray(own));
+  PetscCall(VecGetArrayRead(sums, &value));
+  PetscCall(PetscArraycpy(component, value, level->num_owned));
+  PetscCall(VecRestoreArrayRead(sums, &value));
+  PetscCall(VecDestroy(&sums));
+  PetscCall(VecDestroy(&own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What supports prescribe at the mortar side, by component. Collective.
+   [out] moved - M times the displacements [dim][num_owned];
+   [out] held - M times sum d d' over the held directions d, symmetric [dim][dim][num_owned] */
+static PetscErrorCode HeldFrictionGetMortar_Private(Level *level, const Support *support, Mat M, PetscReal moved[],
+                                                    PetscReal held[])
+{
+  const PetscInt dim = support->dim, n = level->num_owned;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < n; i++)
+    for (PetscInt j = 0; j < support->count[i]; j++) {
+      const PetscReal *d = &support->directions[(i * dim + j) * dim];
+
+      for (PetscInt k = 0; k < dim; k++) {
+        moved[k * n + i] += support->values[i * dim + j] * d[k];
+        for (PetscInt l = 0; l < dim; l++) held[(k * dim + l) * n + i] += d[k] * d[l];
+      }
+    }
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscCall(HeldFrictionAverage_Private(level, M, &moved[k * n]));
+    for (PetscInt l = 0; l < dim; l++) PetscCall(HeldFrictionAverage_Private(level, M, &held[(k * dim + l) * n]));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a node slides along its held direction j. [in] n - owned nodes; [in] moved, held - or NULL */
+static PetscBool HeldFrictionSlides_Private(const Support *support, PetscInt n, PetscInt i, PetscInt j, PetscReal D,
+                                            const PetscReal moved[], const PetscReal held[])
+{
+  const PetscInt   dim   = support->dim;
+  const PetscReal *d     = &support->directions[(i * dim + j) * dim];
+  PetscReal        given = 0, share = 0;
+
+  if (held) {
+    for (PetscInt k = 0; k < dim; k++) {
+      given += d[k] * moved[k * n + i];
+      for (PetscInt l = 0; l < dim; l++) share += d[k] * held[(k * dim + l) * n + i] * d[l];
+    }
+    if (PetscAbsReal(share) <= STUCK * D) return PETSC_TRUE;
+    given /= share;
+  }
+  return (PetscBool)(PetscAbsReal(support->values[i * dim + j] - given) > STUCK * support->max_value);
+}
+
+PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+                                const PetscReal D[], PetscBool slides[])
+{
+  const PetscInt dim = level->dim, n = level->num_owned;
+  PetscReal     *moved = NULL, *held = NULL;
+  PetscBool      any = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < num; a++) {
+    slides[a] = PETSC_FALSE;
+    any       = (PetscBool)(any || support->count[nodes[a]]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  if (M) {
+    PetscCall(PetscCalloc2(dim * n, &moved, dim * dim * n, &held));
+    PetscCall(HeldFrictionGetMortar_Private(level, support, M, moved, held));
+  }
+  for (PetscInt a = 0; a < num; a++)
+    for (PetscInt j = 0; j < support->count[nodes[a]]; j++)
+      if (HeldFrictionSlides_Private(support, n, nodes[a], j, D[a], moved, held)) slides[a] = PETSC_TRUE;
+  PetscCall(PetscFree2(moved, held));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marks the nodes by 1 in a vector. [out] marks - ghosted, owned by the caller; [out] any - on any rank */
+static PetscErrorCode HeldFrictionMark_Private(Level *level, const Support *support, const MortarIntegrals *sums,
+                                               const MultiplierStatus status[], Vec *marks, PetscBool *any)
+{
+  PetscInt           num = 0, *nodes;
+  PetscReal         *weights;
+  PetscBool         *slides;
+  PetscScalar       *mark;
+  const PetscScalar *D;
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  PetscCall(PetscMalloc3(level->num_owned, &nodes, level->num_owned, &weights, level->num_owned, &slides));
+  PetscCall(VecGetArrayRead(sums->D, &D));
+  for (PetscInt i = 0; i < level->num_owned; i++) {
+    if (status[i] != NODE_KEPT || !support->count[i]) continue;
+    nodes[num]     = i;
+    weights[num++] = PetscRealPart(D[i]);
+  }
+  PetscCall(VecRestoreArrayRead(sums->D, &D));
+  PetscCall(HeldFrictionFind(level, support, sums->M, num, nodes, weights, slides));
+  PetscCall(LevelCreateVec(level, 1, marks));
+  PetscCall(VecGetArray(*marks, &mark));
+  for (PetscInt a = 0; a < num; a++) {
+    mark[nodes[a]] = slides[a] ? 1 : 0;
+    *any           = (PetscBool)(*any || slides[a]);
+  }
+  PetscCall(VecRestoreArray(*marks, &mark));
+  PetscCall(PetscFree3(nodes, weights, slides));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Marked nodes count as removed. [in] marks - owned values count; [in,out] status - [num_nodes] */
+static PetscErrorCode HeldFrictionSplit_Private(Level *level, Vec marks, MultiplierStatus status[])
+{
+  Vec                local;
+  const PetscScalar *mark;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostUpdateBegin(marks, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostUpdateEnd(marks, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGhostGetLocalForm(marks, &local));
+  PetscCall(VecGetArrayRead(local, &mark));
+  for (PetscInt i = 0; i < level->num_nodes; i++)
+    if (PetscRealPart(mark[i]) > 0) status[i] = NODE_REMOVED;
+  PetscCall(VecRestoreArrayRead(local, &mark));
+  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode HeldFrictionRemove(Level *level, const Support *support, const Facets *facets,
+                                  const MortarIntegrals *sums, MultiplierStatus status[])
+{
+  MultiplierStatus *split;
+  PetscBool         any;
+  Mat               W = NULL;
+  Vec               marks, ones, taken;
+
+  PetscFunctionBeginUser;
+  PetscCall(HeldFrictionMark_Private(level, support, sums, status, &marks, &any));
+  if (any) {
+    PetscCall(PetscMalloc1(level->num_nodes, &split));
+    PetscCall(PetscArraycpy(split, status, level->num_nodes));
+    PetscCall(HeldFrictionSplit_Private(level, marks, split));
+    PetscCall(RedistributionWeights(level, facets, split, sums, &W));
+    PetscCall(PetscFree(split));
+  }
+  if (W) { // columns of nodes without a path are empty
+    PetscCall(MatCreateVecs(W, &taken, &ones));
+    PetscCall(VecSet(ones, 1));
+    PetscCall(MatMultTranspose(W, ones, taken));
+    PetscCall(VecPointwiseMult(marks, marks, taken));
+    PetscCall(HeldFrictionSplit_Private(level, marks, status));
+    PetscCall(VecDestroy(&ones));
+    PetscCall(VecDestroy(&taken));
+    PetscCall(MatDestroy(&W));
+  }
+  PetscCall(VecDestroy(&marks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

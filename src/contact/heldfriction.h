@@ -1,0 +1,22 @@
+/* heldfriction.h -- nodes whose friction supports would take (section 16). */
+#ifndef MORTISE_HELDFRICTION_H
+#define MORTISE_HELDFRICTION_H
+
+#include "contact/pair.h"
+#include "contact/redistribution.h"
+
+/* Nodes of a nonmortar side that a support holds along its partner, and that slide. Either the mortar side is
+   free there, or supports move the two sides along each other. On a plane of symmetry both are held, with the
+   same value, and nothing slides. Collective.
+   [in] M - of the pair, or NULL for an obstacle; [in] nodes, D - of this rank, weights D_aa [num];
+   [out] slides - [num] */
+PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+                                const PetscReal D[], PetscBool slides[]);
+
+/* Removes these nodes from a pair with friction. Their neighbours take over the friction and the pressure of
+   their part of the side (eq. 5.1). A node without a path to a kept node stays. Collective.
+   [in] sums - before RedistributionApply(); [in,out] status - of every local node [num_nodes] */
+PetscErrorCode HeldFrictionRemove(Level *level, const Support *support, const Facets *facets,
+                                  const MortarIntegrals *sums, MultiplierStatus status[]);
+
+#endif
