@@ -16,6 +16,7 @@ enum {
   TEXT_LENGTH  = 320,
   TIME_TEXT    = 40,
   FIRST_MESHES = 3, /* least number that a bar needs, unless there is nothing to refine */
+  RATE_MESHES  = 5, /* least number that shows no progress: on coarse ones estimates may rise and fall */
   KEPT_RUNS    = 4  /* meshes of a load step beside the latest one: bars compare five */
 };
 
@@ -182,6 +183,7 @@ static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
   const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
   PetscInt          k    = adaptive->history->num - 1;
 
+  if (adaptive->first + adaptive->history->num < RATE_MESHES) return PETSC_FALSE;
   while (k > 0 && 2 * adaptive->history->mesh[k].unknowns > mesh->unknowns) k--;
   before = &adaptive->history->mesh[k];
   if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // the mesh hardly resolves the contact
