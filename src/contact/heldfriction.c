@@ -98,6 +98,45 @@ PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a held node of any rank does not slide. Collective. */
+static PetscErrorCode HeldFrictionRests_Private(const Level *level, const Support *support, PetscInt num,
+                                                const PetscInt nodes[], const PetscBool slides[], PetscBool *rests)
+{
+  PetscFunctionBeginUser;
+  *rests = PETSC_FALSE;
+  for (PetscInt a = 0; a < num; a++) *rests = (PetscBool)(*rests || (support->count[nodes[a]] && !slides[a]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, rests, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode HeldFrictionFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+                                    const PetscReal D[], PetscBool slides[])
+{
+  const Scene     scene   = level->scene;
+  const PetscReal now     = scene->time;
+  const int       changed = scene->changed;
+  PetscBool      *then, rests;
+
+  PetscFunctionBeginUser;
+  PetscCall(HeldFrictionFind(level, support, M, num, nodes, D, slides));
+  PetscCall(PetscMalloc1(num, &then));
+  PetscCall(HeldFrictionRests_Private(level, support, num, nodes, slides, &rests));
+  for (PetscInt k = 0; k < scene->steps.num && rests; k++) {
+    Support other;
+
+    PetscCall(SceneSetTime(scene, scene->steps.t[k]));
+    PetscCall(SupportCreate(level, scene, &other));
+    PetscCall(HeldFrictionFind(level, &other, M, num, nodes, D, then));
+    PetscCall(SupportDestroy(&other));
+    for (PetscInt a = 0; a < num; a++) slides[a] = (PetscBool)(slides[a] || then[a]);
+    PetscCall(HeldFrictionRests_Private(level, support, num, nodes, slides, &rests));
+  }
+  if (scene->time != now) PetscCall(SceneSetTime(scene, now));
+  scene->changed = changed;
+  PetscCall(PetscFree(then));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Marks the nodes by 1 in a vector. [out] marks - ghosted, owned by the caller; [out] any - on any rank */
 static PetscErrorCode HeldFrictionMark_Private(Level *level, const Support *support, const MortarIntegrals *sums,
                                                const MultiplierStatus status[], Vec *marks, PetscBool *any)
@@ -118,7 +157,7 @@ static PetscErrorCode HeldFrictionMark_Private(Level *level, const Support *supp
     weights[num++] = PetscRealPart(D[i]);
   }
   PetscCall(VecRestoreArrayRead(sums->D, &D));
-  PetscCall(HeldFrictionFind(level, support, sums->M, num, nodes, weights, slides));
+  PetscCall(HeldFrictionFindEver(level, support, sums->M, num, nodes, weights, slides));
   PetscCall(LevelCreateVec(level, 1, marks));
   PetscCall(VecGetArray(*marks, &mark));
   for (PetscInt a = 0; a < num; a++) {

@@ -13,6 +13,11 @@
 PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
                                 const PetscReal D[], PetscBool slides[]);
 
+/* The same, at the present time or at any load step. Then nodes with multipliers are those of all steps.
+   Collective. */
+PetscErrorCode HeldFrictionFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+                                    const PetscReal D[], PetscBool slides[]);
+
 /* Removes these nodes from a pair with friction. Their neighbours take over the friction and the pressure of
    their part of the side (eq. 5.1). A node without a path to a kept node stays. Collective.
    [in] sums - before RedistributionApply(); [in,out] status - of every local node [num_nodes] */

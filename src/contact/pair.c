@@ -293,7 +293,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   sums->boundary     = NULL;
   if (ScenePairHasFriction(pair->spec)) {
     PetscCall(PetscMalloc1(pair->num, &pair->slides));
-    PetscCall(PairFindSliding(pair, support, pair->slides));
+    PetscCall(HeldFrictionFindEver(level, support, pair->M, pair->num, pair->nodes, pair->D, pair->slides));
   }
   PairTakePoints_Private(assembly, pair);
   PetscCall(PairAssemblyDestroy(assembly));
