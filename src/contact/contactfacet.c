@@ -1,15 +1,12 @@
 /* contactfacet.c -- one facet of a side: its nodes, a box around it, its size. */
 #include "base/compat.h"
 #include "contact/contactsurface.h"
+#include "kernel/vector.h"
 
 void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[])
 {
-  const PetscInt n = ElementNumNodes(facets->type[f]);
-
-  for (PetscInt i = 0; i < n; i++) {
-    const PetscReal *x = &level->coords[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i] * level->dim];
-    for (PetscInt k = 0; k < level->dim; k++) X[i * level->dim + k] = x[k];
-  }
+  VectorGather(level->dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * ELEMENT_MAX_FACET_NODES], level->coords,
+               X);
 }
 
 /* Vertices stay. The point at the middle of an edge is 2 x - (mean of its ends). With that at the middle of a
@@ -49,19 +46,6 @@ void ContactFacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscR
   }
 }
 
-PetscReal ContactFacetSize(PetscInt dim, ElementType type, const PetscReal X[])
-{
-  const PetscInt num_vertices = ElementNumNodes(ElementLinear(type));
-  PetscReal      size         = 0;
-
-  for (PetscInt i = 0; i < num_vertices; i++) {
-    PetscReal d2 = 0;
-    for (PetscInt k = 0; k < dim; k++) d2 += PetscSqr(X[i * dim + k] - X[((i + 1) % num_vertices) * dim + k]);
-    size = PetscMax(size, PetscSqrtReal(d2));
-  }
-  return size;
-}
-
 PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, PetscReal *size)
 {
   PetscReal X[3 * ELEMENT_MAX_FACET_NODES];
@@ -70,7 +54,7 @@ PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, Pet
   *size = 0;
   for (PetscInt f = 0; f < facets->num; f++) {
     ContactFacetCoordinates(level, facets, f, X);
-    *size = PetscMax(*size, ContactFacetSize(level->dim, facets->type[f], X));
+    *size = PetscMax(*size, ElementLongestEdge(facets->type[f], level->dim, X));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -244,7 +244,7 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
     PetscReal size;
 
     ContactFacetCoordinates(level, facets, f, X);
-    size = ContactFacetSize(dim, facets->type[f], X);
+    size = ElementLongestEdge(facets->type[f], dim, X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       const PetscInt node = facets->nodes[f * F + i], corner = f * F + i;
       SurfacePoint   own = {.normal = {0}};

@@ -54,9 +54,7 @@ void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt 
    [out] box - lower, upper corner [2][dim] */
 void ContactFacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
 void ContactFacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
-/* Largest distance between neighbouring vertices of a facet (not collective), or of all facets of a side
-   (collective). */
-PetscReal      ContactFacetSize(PetscInt dim, ElementType type, const PetscReal X[]);
+/* The longest edge of all facets of a side. Collective. */
 PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, PetscReal *size);
 
 #endif

@@ -229,7 +229,7 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   integral->num_columns = 0;
   integral->has_arm     = PETSC_FALSE;
   integral->turns   = (PetscBool)(partner->spec->type != PAIR_TIED && LeverArmDirectionsDiffer(partner->dim, facet));
-  integral->size    = ContactFacetSize(partner->dim, facet->type, facet->X);
+  integral->size    = ElementLongestEdge(facet->type, partner->dim, facet->X);
   integral->measure = integral->cover = 0;
   integral->least_gap                 = PETSC_MAX_REAL;
   for (PetscInt i = 0; i < integral->n; i++) {

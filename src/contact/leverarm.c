@@ -18,7 +18,7 @@ static PetscBool LeverArmSurfaceGradients_Private(PetscInt dim, const ClipFacet 
                                                   PetscReal g[])
 {
   const PetscInt  n = ElementNumNodes(facet->type), m = dim - 1;
-  const PetscReal size    = ContactFacetSize(dim, facet->type, facet->X);
+  const PetscReal size    = ElementLongestEdge(facet->type, dim, facet->X);
   PetscReal       t[2][3] = {{0}}, G[3] = {0, 0, 1}, det;
 
   for (PetscInt i = 0; i < n; i++)

@@ -402,7 +402,7 @@ PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, co
 {
   const PetscInt  n         = ElementNumNodes(facet->type);
   const Cone      cone      = MortarSurfaceFindNormalCone_Private(dim, facet->type, facet->N);
-  const PetscReal slack     = QUERY_SLACK * (reach + ContactFacetSize(dim, facet->type, facet->X));
+  const PetscReal slack     = QUERY_SLACK * (reach + ElementLongestEdge(facet->type, dim, facet->X));
   PetscInt        num_slabs = 0;
   PetscReal       hull[3 * ELEMENT_MAX_FACET_NODES], Q[9], box[6];
   BoxSlab         slabs[3];

@@ -11,7 +11,7 @@ static const PetscReal TURN_TOLERANCE = 1e-12;
 /* Whether x(xi) is linear. */
 static PetscBool OverlapLineIsStraight_Private(const ClipFacet *facet)
 {
-  const PetscReal size = ContactFacetSize(2, facet->type, facet->X);
+  const PetscReal size = ElementLongestEdge(facet->type, 2, facet->X);
 
   for (PetscInt k = 0; k < 2 && facet->type == ELEMENT_LINE3; k++) {
     if (PetscAbsReal(facet->X[4 + k] - 0.5 * (facet->X[k] + facet->X[2 + k])) > TURN_TOLERANCE * size)

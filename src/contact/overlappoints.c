@@ -3,6 +3,7 @@
 #include "kernel/frame.h"
 #include "contact/obstacle.h"
 #include "contact/overlap.h"
+#include "kernel/vector.h"
 
 /* The mortar side has two layers if the overlaps with a facet add to more than the facet by this share. */
 static const PetscReal OVERLAP_TOLERANCE = 1e-8;
@@ -84,7 +85,7 @@ static void OverlapPointsOutward_Private(PetscInt dim, const ClipFacet *facet, P
     a[k] = X[3 * (num - 2) + k] - X[k];
     b[k] = X[3 * (num - 1) + k] - X[3 * (num - 3) + k];
   }
-  for (PetscInt k = 0; k < 3; k++) nu[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+  VectorCross(a, b, nu);
 }
 
 /* Whether a mortar facet faces a nonmortar facet.

@@ -17,7 +17,7 @@ enum { CURVED_DEGREE = 5, GIVEN_GAP_DEGREE = 2 };
 static PetscBool OverlapPolygonIsStraight_Private(const ClipFacet *facet)
 {
   const ElementType linear = ElementLinear(facet->type);
-  const PetscReal   size   = ContactFacetSize(3, facet->type, facet->X);
+  const PetscReal   size   = ElementLongestEdge(facet->type, 3, facet->X);
 
   for (PetscInt i = ElementNumNodes(linear); i < ElementNumNodes(facet->type); i++) {
     PetscReal phi[ELEMENT_MAX_NODES];
@@ -63,7 +63,7 @@ static PetscBool OverlapPolygonIsHidden_Private(const FacetPartner *partner, con
 static PetscErrorCode OverlapPolygonKeepNearestPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
                                                               OverlapPoints *list)
 {
-  const PetscReal size = ContactFacetSize(3, facet->type, facet->X);
+  const PetscReal size = ElementLongestEdge(facet->type, 3, facet->X);
   PetscInt        kept = 0, num_facets = 0, *facets;
 
   PetscFunctionBeginUser;

@@ -10,6 +10,7 @@
 #include "contact/heldrows.h"
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
+#include "kernel/vector.h"
 
 /* A removed node with less than this part of its facets covered lies outside its partner; at the partner's
    end it would be half. */
@@ -25,9 +26,7 @@ static void PairSetFrame_Private(const Support *support, PetscInt node, const Pe
   FrameFromNormal(dim, n, Q);
   if (support->count[node] == 0) return;
   for (PetscInt k = 0; k < dim; k++) Q[dim + k] = d[k];
-  if (dim == 3) {
-    for (PetscInt k = 0; k < 3; k++) Q[6 + k] = n[(k + 1) % 3] * d[(k + 2) % 3] - n[(k + 2) % 3] * d[(k + 1) % 3];
-  }
+  if (dim == 3) VectorCross(n, d, &Q[6]);
 }
 
 /* Fills the pair's plain arrays from the nodes that this rank owns. Collective. */

@@ -44,7 +44,7 @@ PetscErrorCode PairPointsSetMortar(PairPoints points, PetscInt dim, const Mortar
   PetscCall(PetscArraycpy(points->cell, surface->cell, surface->num));
   PetscCall(PetscArraycpy(points->material, surface->material, surface->num));
   for (PetscInt f = 0; f < surface->num; f++)
-    points->size[f] = ContactFacetSize(dim, surface->type[f], &surface->coords[f * F * dim]);
+    points->size[f] = ElementLongestEdge(surface->type[f], dim, &surface->coords[f * F * dim]);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -93,7 +93,7 @@ void PairPointTakeArm(PairPoints points, const Level *level, const PairPoint *po
   const ClipFacet   facet = {.type = type, .X = own}, mortar = {.type = other, .X = &X[point->mortar * F * dim]};
 
   ContactFacetCoordinates(level, &points->facets, point->facet, own);
-  if (!LeverArmAtPoint(dim, &facet, &mortar, &at, ContactFacetSize(dim, type, own), blocks)) return;
+  if (!LeverArmAtPoint(dim, &facet, &mortar, &at, ElementLongestEdge(type, dim, own), blocks)) return;
   for (PetscInt i = 0; i < ElementNumNodes(other); i++) {
     for (PetscInt k = 0; k < dim; k++)
       jump[k] -= VectorDot(dim, &blocks[(i * dim + k) * dim], &u[(point->mortar * F + i) * dim]);

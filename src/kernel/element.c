@@ -61,6 +61,31 @@ const PetscInt *ElementEdgeNodes(ElementType type, PetscInt edge)
   return REFERENCE[type].edges[edge];
 }
 
+static PetscReal ElementEdgeLength_Private(ElementType type, PetscInt dim, const PetscReal X[], PetscInt edge)
+{
+  const PetscInt *ends = ElementEdgeNodes(type, edge);
+
+  return VectorDistance(dim, &X[ends[0] * dim], &X[ends[1] * dim]);
+}
+
+PetscReal ElementShortestEdge(ElementType type, PetscInt dim, const PetscReal X[])
+{
+  PetscReal least = PETSC_MAX_REAL;
+
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++)
+    least = PetscMin(least, ElementEdgeLength_Private(type, dim, X, e));
+  return least;
+}
+
+PetscReal ElementLongestEdge(ElementType type, PetscInt dim, const PetscReal X[])
+{
+  PetscReal most = 0;
+
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++)
+    most = PetscMax(most, ElementEdgeLength_Private(type, dim, X, e));
+  return most;
+}
+
 ElementType ElementFacetType(ElementType type)
 {
   return REFERENCE[type].facet_type;

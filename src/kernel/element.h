@@ -53,6 +53,12 @@ const PetscInt *ElementFacetNodes(ElementType type, PetscInt facet);
    collective. */
 PetscInt        ElementNumEdges(ElementType type);
 const PetscInt *ElementEdgeNodes(ElementType type, PetscInt edge);
+/* Distances of the ends of edges. Not collective. [in] X - [num_nodes][dim] */
+PetscReal ElementShortestEdge(ElementType type, PetscInt dim, const PetscReal X[]);
+PetscReal ElementLongestEdge(ElementType type, PetscInt dim, const PetscReal X[]);
+/* Distances of the ends of edges. Not collective. [in] X - [num_nodes][dim] */
+PetscReal ElementShortestEdge(ElementType type, PetscInt dim, const PetscReal X[]);
+PetscReal ElementLongestEdge(ElementType type, PetscInt dim, const PetscReal X[]);
 
 /* phi = shape functions at xi; dphi[i][k] = d phi_i / d xi_k (dphi may be NULL).
    [in] xi - array of shape [ElementDim]; [out] phi - [num_nodes]; [out] dphi - [num_nodes][ElementDim] */

@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "kernel/planecut.h"
 #include "kernel/referencecell.h"
+#include "kernel/vector.h"
 
 enum { MAX_DIM = 3, MAX_CORNERS = MAX_DIM + 1, MAX_EDGES = 6, MAX_SIMPLICES = 6, STACK = 256, MAX_DEPTH = 10 };
 
@@ -67,10 +68,7 @@ static PetscReal SimplexVolume_Private(PetscInt dim, const Simplex *simplex)
 
   for (PetscInt i = 0; i < dim; i++)
     for (PetscInt k = 0; k < dim; k++) e[i][k] = simplex->x[i + 1][k] - simplex->x[0][k];
-  if (dim == 2) return PetscAbsReal(e[0][0] * e[1][1] - e[0][1] * e[1][0]);
-  return PetscAbsReal(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-                      e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-                      e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
+  return PetscAbsReal(dim == 2 ? VectorCrossPlane(e[0], e[1]) : VectorTriple(e[0], e[1], e[2]));
 }
 
 /* Adds the integrals over a simplex by a product of Gauss rules in collapsed coordinates. */
@@ -146,7 +144,7 @@ static PetscReal PlaneNormal_Private(PetscInt dim, const PetscReal *const p[], P
     normal[0] = -a[1];
     normal[1] = a[0];
   } else {
-    for (PetscInt k = 0; k < 3; k++) normal[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    VectorCross(a, b, normal);
   }
   for (PetscInt k = 0; k < dim; k++) length += PetscSqr(normal[k]);
   length = PetscSqrtReal(length);

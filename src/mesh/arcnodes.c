@@ -4,6 +4,7 @@
    Facets give offsets to their nodes, and all ranks sum them. The middle node of a quadrilateral or
    hexahedron moves by half or a quarter of the sum of its edges' offsets (Coons): cells stay valid.
    Everything happens before maps. */
+#include "kernel/vector.h"
 #include "mesh/refinement.h"
 #include "kernel/arc.h"
 #include "base/compat.h"
@@ -41,8 +42,7 @@ static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, P
   PetscCall(SideShapeCreate(level, facets, &shape));
   PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
   for (PetscInt f = 0; f < facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
-      PetscCall(PetscArraycpy(&X[i * dim], &level->coords[facets->nodes[f * F + i] * dim], dim));
+    VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
     if (ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &(*bulge)[f * F * dim])) *any = PETSC_TRUE;
   }
   PetscCall(SideShapeDestroy(&shape));

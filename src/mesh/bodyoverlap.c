@@ -7,6 +7,7 @@
 #include "kernel/closest.h"
 #include "base/compat.h"
 #include "base/warning.h"
+#include "kernel/vector.h"
 #include "mesh/insidebody.h"
 #include "mesh/meshimpl.h"
 
@@ -70,8 +71,7 @@ static PetscErrorCode BoundaryCreate_Private(const Level *level, Boundary *b)
 /* Vertices of a facet. */
 static void BoundaryGetFacet_Private(const Level *level, const Boundary *b, PetscInt f, PetscReal X[])
 {
-  for (PetscInt i = 0; i < ElementNumNodes(b->type[f]) * level->dim; i++)
-    X[i] = level->coords[b->nodes[f * F + i / level->dim] * level->dim + i % level->dim];
+  VectorGather(level->dim, ElementNumNodes(b->type[f]), &b->nodes[f * F], level->coords, X);
 }
 
 /* The same, and the box around them. [out] box - lower, upper corner [2][dim] */

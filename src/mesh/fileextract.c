@@ -1,4 +1,5 @@
 /* fileextract.c -- the lists of a body from the mesh of its file: its cells and nodes. */
+#include "kernel/vector.h"
 #include "mesh/fileextract.h"
 #include "base/compat.h"
 
@@ -82,9 +83,7 @@ PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order
   const PetscInt   *nodes = &list->cell_nodes[cell * ELEMENT_MAX_NODES];
   PetscReal         X[ELEMENT_MAX_NODES * 3];
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-    for (PetscInt d = 0; d < list->dim; d++) X[i * list->dim + d] = list->coords[nodes[i] * list->dim + d];
-  }
+  VectorGather(list->dim, ElementNumNodes(type), nodes, list->coords, X);
   return CellGetMeasure(type, list->dim, X);
 }
 

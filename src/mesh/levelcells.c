@@ -1,6 +1,7 @@
 /* levelcells.c -- the cells of a level: bodies, materials, nodes, and a check of their shape.
 
    Loops over elements need plain arrays: nodes of cells are read from the DM once, here. */
+#include "kernel/vector.h"
 #include "mesh/refinement.h"
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -76,23 +77,12 @@ PetscErrorCode LevelSetCells(Level *level)
    [out] X - [num_nodes][dim] */
 static PetscReal LevelCellCoords_Private(const Level *level, PetscInt cell, PetscReal X[])
 {
-  const PetscInt   *nodes   = &level->cell_nodes[level->cell_start[cell]];
-  const PetscInt    num     = level->cell_start[cell + 1] - level->cell_start[cell];
-  const ElementType type    = (ElementType)level->cell_type[cell];
-  PetscReal         longest = 0;
+  const PetscInt   *nodes = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt    num   = level->cell_start[cell + 1] - level->cell_start[cell];
+  const ElementType type  = (ElementType)level->cell_type[cell];
 
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt d = 0; d < level->dim; d++) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
-  }
-  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
-    const PetscInt *ends   = ElementEdgeNodes(type, e);
-    PetscReal       square = 0;
-
-    for (PetscInt d = 0; d < level->dim; d++)
-      square += PetscSqr(X[ends[0] * level->dim + d] - X[ends[1] * level->dim + d]);
-    longest = PetscMax(longest, square);
-  }
-  return PetscSqrtReal(longest);
+  VectorGather(level->dim, num, nodes, level->coords, X);
+  return ElementLongestEdge(type, level->dim, X);
 }
 
 /* The node of a reference cell that mirrors another in the plane xi_0 = xi_1. */

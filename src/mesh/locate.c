@@ -1,4 +1,5 @@
 /* locate.c -- the cell of a body that contains a point. */
+#include "kernel/vector.h"
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -45,9 +46,7 @@ static PetscBool LocateMeetsBox_Private(const Level *level, PetscInt cell, const
   PetscReal       size  = 0;
   Span            span;
 
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt d = 0; d < level->dim; d++) X[i * level->dim + d] = level->coords[nodes[i] * level->dim + d];
-  }
+  VectorGather(level->dim, num, nodes, level->coords, X);
   span = SpanOf_Private(level->dim, num, X);
   for (PetscInt d = 0; d < level->dim; d++) size = PetscMax(size, span.high[d] - span.low[d]);
   for (PetscInt d = 0; d < level->dim; d++) {

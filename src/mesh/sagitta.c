@@ -52,8 +52,7 @@ static PetscErrorCode SagittasAppend_Private(const Level *level, Facets *more, P
 static void FacetGather_Private(const Level *level, const Facets *facets, PetscInt f, const PetscReal table[],
                                 PetscReal X[])
 {
-  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]) * level->dim; i++)
-    X[i] = table[facets->nodes[f * F + i / level->dim] * level->dim + i % level->dim];
+  VectorGather(level->dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], table, X);
 }
 
 /* The mean distance of a map's surface from a facet, along its normals. [in] X, before - nodes after and

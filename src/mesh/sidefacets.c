@@ -1,6 +1,7 @@
 /* sidefacets.c -- the facets of a body's side, from the labels that the merge has set.
 
    Sides are searched at each call: they are few and short, and no list has to follow the mesh. */
+#include "kernel/vector.h"
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
@@ -113,11 +114,7 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
   const ElementType type = ElementLinear(facets->type[f]);
   PetscReal         X[ELEMENT_MAX_FACET_NODES * 3], xi[3], weight[1], phi[ELEMENT_MAX_NODES];
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-    const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
-
-    for (PetscInt d = 0; d < level->dim; d++) X[i * level->dim + d] = level->coords[node * level->dim + d];
-  }
+  VectorGather(level->dim, ElementNumNodes(type), &facets->nodes[f * ELEMENT_MAX_FACET_NODES], level->coords, X);
   (void)QuadratureRule(type, 1, xi, weight); // the point in the middle
   return weight[0] * ElementSurface(type, X, xi, NULL, phi, normal);
 }

@@ -6,6 +6,7 @@
    edges. On circles, spheres and cylinders both are exact for any sequence of
    bisections. Flat sides stay exactly flat. */
 #include "kernel/arc.h"
+#include "kernel/vector.h"
 #include "mesh/forest.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -112,9 +113,7 @@ static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, co
   for (PetscInt f = 0; f < facets->num && !any; f++) {
     PetscReal X[3 * F], bulge[3 * F];
 
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
-      for (PetscInt d = 0; d < dim; d++) X[i * dim + d] = level->coords[facets->nodes[f * F + i] * dim + d];
-    }
+    VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
     any = ArcBulge(facets->type[f], X, &normal[f * F * dim], bulge);
   }
   return any;

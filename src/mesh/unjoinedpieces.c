@@ -4,6 +4,7 @@
    components neither stick together nor keep apart, though each may be supported: the solution is that of
    another part. Components that a pair of the scene joins, by two sides of this body, are intended. A body of
    one component takes one pass over its cells. */
+#include "kernel/vector.h"
 #include "mesh/fileextract.h"
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
@@ -65,10 +66,8 @@ static void BoundaryAddFacet_Private(const BodyList *list, PetscInt cell, PetscI
   if (of_facet == ELEMENT_TRI3) xi[0] = xi[1] = 1. / 3;
   b->type[b->num] = of_facet;
   b->size[b->num] = 0;
-  for (PetscInt i = 0; i < num; i++) {
-    vertex[i] = list->cell_nodes[cell * ELEMENT_MAX_NODES + local[i]];
-    for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = list->coords[vertex[i] * dim + k];
-  }
+  for (PetscInt i = 0; i < num; i++) vertex[i] = list->cell_nodes[cell * ELEMENT_MAX_NODES + local[i]];
+  VectorGather(dim, num, vertex, list->coords, X);
   for (PetscInt i = 0; i < num; i++) {
     const PetscInt j      = (i + 1) % num;
     PetscReal      square = 0, edge;
@@ -192,7 +191,7 @@ static PetscBool BoundaryLiesOn_Private(const BodyList *list, const Boundary *b,
   if (b->piece[of_f[0]] == b->piece[of_g[0]] || (b->paired[of_f[0]] && b->paired[of_g[0]])) return PETSC_FALSE;
   for (PetscInt k = 0; k < dim; k++) dot += b->normal[f * 3 + k] * b->normal[g * 3 + k];
   if (dot > -OPPOSITE) return PETSC_FALSE;
-  for (PetscInt i = 0; i < num * dim; i++) X[i] = list->coords[of_g[i / dim] * dim + i % dim];
+  VectorGather(dim, num, of_g, list->coords, X);
   away = PetscSqrtReal(ClosestPointOnFacet(dim, (ElementType)b->type[g], X, &b->middle[f * 3], eta));
   return (PetscBool)(away <= (SAME_PLACE + CHORDS * PetscSqrtReal(PetscMax(0, 2 + 2 * dot))) *
                                  PetscMin(b->size[f], b->size[g]));

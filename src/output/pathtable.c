@@ -1,5 +1,6 @@
 /* pathtable.c -- displacement and stress along straight lines, as a table; each point is evaluated as a probe
    is. */
+#include "kernel/vector.h"
 #include "output/pathtable.h"
 #include "kernel/material.h"
 #include "result/probes.h"
@@ -16,12 +17,10 @@ static void PathTableWriteNumbers_Private(FILE *out, PetscInt num, const PetscRe
 
 static PetscErrorCode PathTableWriteRows_Private(Fields fields, const ScenePath *path, FILE *out)
 {
-  const PetscInt dim    = fields->vi->level->dim;
-  PetscReal      length = 0;
+  const PetscInt  dim    = fields->vi->level->dim;
+  const PetscReal length = VectorDistance(dim, path->to, path->from);
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) length += PetscSqr(path->to[k] - path->from[k]);
-  length = PetscSqrtReal(length);
   for (PetscInt i = 0; i < path->points; i++) {
     const PetscReal s = length * (PetscReal)i / (PetscReal)(path->points - 1);
     PetscReal       at[3], u[3], stress[6], von_mises;

@@ -1,4 +1,5 @@
 /* surfacefields.c -- the nonmortar side of a pair as a surface with nodal fields. */
+#include "kernel/vector.h"
 #include "result/frictionfields.h"
 #include "base/compat.h"
 #include "output/fieldwriter.h"
@@ -21,7 +22,7 @@ static PetscErrorCode SurfaceFieldsGetFacetNormals_Private(Level *level, const F
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(facets->type[f]);
     PetscReal       X[ELEMENT_MAX_FACET_NODES * 3], phi[ELEMENT_MAX_FACET_NODES], normal[3];
 
-    for (PetscInt i = 0; i < n; i++) PetscCall(PetscArraycpy(&X[i * dim], &level->coords[nodes[i] * dim], dim));
+    VectorGather(dim, n, nodes, level->coords, X);
     for (PetscInt i = 0; i < n; i++) {
       const PetscReal size = ElementSurface(facets->type[f], X, ElementNode(facets->type[f], i), NULL, phi, normal);
 

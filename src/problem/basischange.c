@@ -6,6 +6,8 @@
    unknowns as well. All this is done to the hierarchical displacements u~ where there are any, and to those
    of eq. 3.5 on tri6 (couplings.h), and u = S u~ comes last. */
 #include "base/compat.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
 #include "problem/pairarms.h"
 
 /* A unit vector is along an axis, or two are parallel, to this. */
@@ -130,14 +132,9 @@ static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscI
 /* The last direction of a node in 3D with two constraints: across both normals. */
 static void NodeBasesCompleteFrame_Private(PetscInt dim, PetscInt used, PetscReal F[])
 {
-  PetscReal norm = 0;
-
   if (dim < 3 || used != 2) return;
-  for (PetscInt k = 0; k < 3; k++) {
-    F[6 + k] = F[(k + 1) % 3] * F[3 + (k + 2) % 3] - F[(k + 2) % 3] * F[3 + (k + 1) % 3];
-    norm += F[6 + k] * F[6 + k];
-  }
-  for (PetscInt k = 0; k < 3; k++) F[6 + k] /= PetscSqrtReal(norm);
+  VectorCross(F, &F[3], &F[6]);
+  FrameNormalize(3, &F[6]);
 }
 
 PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)

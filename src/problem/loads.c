@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "base/warning.h"
 #include <string.h>
+#include "kernel/vector.h"
 #include "problem/loads.h"
 #include "problem/eigenstrain.h"
 #include "problem/loadterm.h"
@@ -33,25 +34,21 @@ PetscInt LoadElementFacetDegree(PetscInt order)
 
 void LoadElementSet(const LoadTerm *term, PetscInt e, LoadElement *element)
 {
-  const PetscInt dim = term->dim;
-
   element->term      = term;
   element->type      = term->type[e];
   element->nodes     = term->nodes[e];
   element->num_nodes = ElementNumNodes(element->type);
-  for (PetscInt i = 0; i < element->num_nodes; i++) {
-    for (PetscInt k = 0; k < dim; k++) element->X[i * dim + k] = term->level->coords[element->nodes[i] * dim + k];
-  }
+  VectorGather(term->dim, element->num_nodes, element->nodes, term->level->coords, element->X);
 }
 
 /* t = traction + spin x (x - centre) */
 static void LoadElementTotal_Private(const LoadTerm *term, const PetscReal x[], PetscReal t[])
 {
-  PetscReal arm[3] = {0, 0, 0};
+  PetscReal arm[3] = {0, 0, 0}, turn[3];
 
   for (PetscInt k = 0; k < term->dim; k++) arm[k] = x[k] - term->centre[k];
-  for (PetscInt k = 0; k < term->dim; k++)
-    t[k] = term->traction[k] + term->spin[(k + 1) % 3] * arm[(k + 2) % 3] - term->spin[(k + 2) % 3] * arm[(k + 1) % 3];
+  VectorCross(term->spin, arm, turn);
+  for (PetscInt k = 0; k < term->dim; k++) t[k] = term->traction[k] + turn[k];
 }
 
 PetscErrorCode LoadElementValue(const LoadElement *element, const PetscReal xi[], PetscReal weight, PetscReal value[])
@@ -249,15 +246,16 @@ static PetscErrorCode LoadSumAdd_Private(const LoadTerm *term, const PetscScalar
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < term->level->num_nodes; i++) {
-    PetscReal arm[3] = {0, 0, 0}, F[3] = {0, 0, 0};
+    PetscReal arm[3] = {0, 0, 0}, F[3] = {0, 0, 0}, moment[3];
 
     for (PetscInt k = 0; k < dim; k++) {
       arm[k] = term->level->coords[i * dim + k] - sum->centre[k];
       F[k]   = PetscRealPart(fa[i * dim + k]);
     }
+    VectorCross(arm, F, moment);
     for (PetscInt k = 0; k < 3; k++) {
       total[0][k] += F[k];
-      total[1][k] += arm[(k + 1) % 3] * F[(k + 2) % 3] - arm[(k + 2) % 3] * F[(k + 1) % 3];
+      total[1][k] += moment[k];
     }
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, total, 6, MPIU_REAL, MPI_SUM, term->level->comm));

@@ -3,6 +3,7 @@
    The method is chosen cell by cell. So a varying Poisson's ratio adds no work where it is low, and triangles
    and quadrilaterals of one mesh differ. Nothing is stored: results compute Pi again. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "problem/volumestrain.h"
 
 /* In axisymmetric cells the integrand has 1 / r and is no polynomial: the degree of the measure is added
@@ -26,9 +27,7 @@ void VolumeStrainCoordinates(const Level *level, PetscInt c, PetscReal X[])
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
   const PetscInt  n     = level->cell_start[c + 1] - level->cell_start[c];
 
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt k = 0; k < level->dim; k++) X[i * level->dim + k] = level->coords[nodes[i] * level->dim + k];
-  }
+  VectorGather(level->dim, n, nodes, level->coords, X);
 }
 
 PetscErrorCode ElasticityDilatationKind(Scene scene, const Level *level, PetscInt c, const ElementRule *rule,

@@ -100,7 +100,7 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
   if (peak) floors->pressure = PetscMax(floors->pressure, LOCAL_FACTOR * difference);
   if (!open || !closed) return;
   ContactFacetCoordinates(level, facets, f, X);
-  floors->edge = PetscMax(floors->edge, ContactFacetSize(level->dim, facets->type[f], X));
+  floors->edge = PetscMax(floors->edge, ElementLongestEdge(facets->type[f], level->dim, X));
   floors->area += BarFloorsGetArea_Private(level->scene, facets->type[f], X) / 2;
 }
 

@@ -5,6 +5,7 @@
    near singular points of the exact solution, and nowhere else unless there are few cells. So their number is
    bounded, and the error of the rule in the remaining pieces is a small part of a small share. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "problem/elasticity.h"
 #include "result/cellerror.h"
 #include "result/exact.h"
@@ -130,8 +131,7 @@ static PetscErrorCode CellErrorIntegrateCell_Private(const Comparison *compare, 
   PetscFunctionBeginUser;
   PetscCall(ElasticityDilatation(compare->scene, level, c, &compare->stiffness[type], &pi));
   *sum = (ErrorSquares){0, 0, 0, 0};
-  for (PetscInt a = 0; a < ElementNumNodes(type); a++)
-    PetscCall(PetscArraycpy(&X[a * dim], &level->coords[nodes[a] * dim], dim));
+  VectorGather(dim, ElementNumNodes(type), nodes, level->coords, X);
   for (PetscInt q = 0; q < num_points; q++) {
     PetscReal dx;
 

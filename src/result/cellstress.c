@@ -1,5 +1,6 @@
 /* cellstress.c -- sigma = C (eps - eps_0) within a cell. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "problem/eigenstrain.h"
 #include "result/cellstress.h"
 
@@ -53,10 +54,8 @@ PetscErrorCode CellStressSet(Scene scene, const Level *level, PetscInt c, const 
   cell->material = level->cell_material[c];
   cell->constant = ElasticityHookeIsConstant(scene, cell->material);
   if (cell->constant) PetscCall(ElasticityHooke(scene, cell->material, origin, cell->C, &cell->poisson));
-  for (PetscInt i = 0; i < num * dim; i++) {
-    cell->X[i] = level->coords[nodes[i / dim] * dim + i % dim];
-    cell->u[i] = PetscRealPart(u[nodes[i / dim] * dim + i % dim]);
-  }
+  VectorGather(dim, num, nodes, level->coords, cell->X);
+  VectorGather(dim, num, nodes, u, cell->u);
   PetscCall(ElasticityDilatation(scene, level, c, stiffness, &cell->pi));
   PetscCall(EigenstrainDilatation(scene, level, c, stiffness, &cell->pi, cell->parts));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -147,13 +147,14 @@ static void CertificateSplitResidual_Private(const Support *support, PetscInt a,
 /* moment += x cross F, three components, absent ones 0. */
 static void CertificateAddMoment_Private(PetscInt dim, const PetscReal x[], const PetscReal F[], PetscReal moment[3])
 {
-  PetscReal X[3] = {0, 0, 0}, Y[3] = {0, 0, 0};
+  PetscReal X[3] = {0, 0, 0}, Y[3] = {0, 0, 0}, part[3];
 
   for (PetscInt k = 0; k < dim; k++) {
     X[k] = x[k];
     Y[k] = F[k];
   }
-  for (PetscInt k = 0; k < 3; k++) moment[k] += X[(k + 1) % 3] * Y[(k + 2) % 3] - X[(k + 2) % 3] * Y[(k + 1) % 3];
+  VectorCross(X, Y, part);
+  for (PetscInt k = 0; k < 3; k++) moment[k] += part[k];
 }
 
 /* Middle of the box around all nodes: moments about it do not depend on where the scene lies. */

@@ -112,9 +112,8 @@ static PetscReal CoarseContactCornerAngle_Private(const Level *level, ElementTyp
     num++;
   }
   dot = VectorDot(dim, e[0], e[1]);
-  if (dim == 2) return PetscAbsReal(atan2(e[0][0] * e[1][1] - e[0][1] * e[1][0], dot));
-  det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-        e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  if (dim == 2) return PetscAbsReal(atan2(VectorCrossPlane(e[0], e[1]), dot));
+  det = VectorTriple(e[0], e[1], e[2]);
   return atan2(PetscAbsReal(det), length[0] * length[1] * length[2] + dot * length[2] +
                                       VectorDot(dim, e[0], e[2]) * length[1] + VectorDot(dim, e[1], e[2]) * length[0]);
 }

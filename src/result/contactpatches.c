@@ -296,8 +296,7 @@ static PetscReal PatchGetFacetSize_Private(const Level *level, const Facets *fac
   PetscReal      X[3 * F], xi[2 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS], phi[ELEMENT_MAX_NODES], size = 0;
   const PetscInt num = QuadratureRule(facets->type[f], SIZE_DEGREE, xi, w);
 
-  for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]) * dim; i++)
-    X[i] = level->coords[facets->nodes[f * F + i / dim] * dim + i % dim];
+  VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
   for (PetscInt q = 0; q < num; q++)
     size += w[q] * ElementSurface(facets->type[f], X, &xi[q * (dim - 1)], NULL, phi, NULL);
   return size;

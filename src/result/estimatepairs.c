@@ -300,13 +300,11 @@ static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p,
   PetscReal        x[3], normal[3], depth, squared, width, modulus, xi[2] = {0, 0}, phi[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < ElementNumNodes(facet.type) * dim; i++) {
-    facet.X[i]      = X[i];
-    facet.u[i]      = PetscRealPart(values->u[nodes[i / dim] * dim + i % dim]);
-    facet.normal[i] = PetscRealPart(values->normal[nodes[i / dim] * dim + i % dim]);
-  }
+  PetscCall(PetscArraycpy(facet.X, X, ElementNumNodes(facet.type) * dim));
+  VectorGather(dim, ElementNumNodes(facet.type), nodes, values->u, facet.u);
+  VectorGather(dim, ElementNumNodes(facet.type), nodes, values->normal, facet.normal);
   PetscCall(HiddenContactFind(&facet, x, &depth, &squared, &width));
-  if (!(depth > HIDDEN_DEPTH * ContactFacetSize(dim, facet.type, X))) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!(depth > HIDDEN_DEPTH * ElementLongestEdge(facet.type, dim, X))) PetscFunctionReturn(PETSC_SUCCESS);
   HiddenContactTake_Private(dim, depth, x, &sums->hidden[p]);
   ElementSurface(facet.type, X, xi, NULL, phi, normal);
   PetscCall(ComplianceModulus(sums->compliance, level->cell_material[cell], x, normal, &modulus));
@@ -334,7 +332,7 @@ static PetscErrorCode EstimateAddFacet_Private(Fields fields, PetscInt p, PetscI
     sums->hidden[p] = (HiddenContact){.depth = 0};
   }
   ContactFacetCoordinates(level, &points->facets, f, X);
-  size = ContactFacetSize(level->dim, points->facets.type[f], X);
+  size = ElementLongestEdge(points->facets.type[f], level->dim, X);
   for (PetscInt q = begin; q < end; q++) {
     PointStateSet_Private(level, points, &points->point[q], values, &state);
     PetscCall(EstimateAddPoint_Private(fields, p, &points->point[q], size, &state, sums));

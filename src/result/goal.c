@@ -37,19 +37,14 @@ static PetscReal GoalGetMotion_Private(const Goal *goal, const PetscReal x[])
 static PetscReal GoalGetCellSize_Private(const Level *level, PetscInt c)
 {
   const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
-  const PetscInt  n       = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
-  PetscReal       squared = 0;
+  const PetscInt  n    = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
+  PetscReal       most = 0;
 
   for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt j = 0; j < i; j++) {
-      PetscReal distance = 0;
-
-      for (PetscInt k = 0; k < dim; k++)
-        distance += PetscSqr(level->coords[nodes[i] * dim + k] - level->coords[nodes[j] * dim + k]);
-      squared = PetscMax(squared, distance);
-    }
+    for (PetscInt j = 0; j < i; j++)
+      most = PetscMax(most, VectorDistance(dim, &level->coords[nodes[i] * dim], &level->coords[nodes[j] * dim]));
   }
-  return PetscSqrtReal(squared);
+  return most;
 }
 
 /* The cells of a body that hold a place. Where it lies on their sides, these are all of them, so that the
@@ -69,14 +64,12 @@ static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const P
   *size = cell >= 0 ? GoalGetCellSize_Private(level, cell) : 0;
   if (marked && cell >= 0) marked[cell] = PetscMax(1, marked[cell]);
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    const PetscInt *nodes   = &level->cell_nodes[level->cell_start[c]];
-    const PetscInt  num     = level->cell_start[c + 1] - level->cell_start[c];
-    const PetscReal reach   = level->cell_body[c] == body ? GoalGetCellSize_Private(level, c) : -1;
-    PetscReal       squared = 0;
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+    const PetscInt  num   = level->cell_start[c + 1] - level->cell_start[c];
+    const PetscReal reach = level->cell_body[c] == body ? GoalGetCellSize_Private(level, c) : -1;
 
-    for (PetscInt k = 0; k < dim; k++) squared += PetscSqr(level->coords[nodes[0] * dim + k] - at[k]);
-    if (reach < 0 || squared > PetscSqr(2 * reach)) continue;
-    for (PetscInt i = 0; i < num * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+    if (reach < 0 || VectorDistance(dim, &level->coords[nodes[0] * dim], at) > 2 * reach) continue;
+    VectorGather(dim, num, nodes, level->coords, X);
     if (!ElementLocate((ElementType)level->cell_type[c], X, at, SAME_PLACE, xi)) continue;
     *size = PetscMax(*size, reach);
     if (marked) marked[c] = PetscMax(1, marked[c]);
@@ -239,9 +232,9 @@ static PetscErrorCode GoalSetForce_Private(PetscInt pair, Goal *goal)
 /* The mean about the place of the largest pressure: sum_a w_a W_a p_a / sum_a w_a W_a. Collective. */
 static PetscErrorCode GoalSetPressure_Private(PetscInt pair, Goal *goal)
 {
-  const VI       vi      = goal->fields->vi;
-  const PetscInt dim     = vi->level->dim;
-  PetscReal      squared = 0, sum = 0;
+  const VI       vi  = goal->fields->vi;
+  const PetscInt dim = vi->level->dim;
+  PetscReal      sum = 0;
   PairSum        of;
 
   PetscFunctionBeginUser;
@@ -249,11 +242,8 @@ static PetscErrorCode GoalSetPressure_Private(PetscInt pair, Goal *goal)
   goal->pair = pair;
   goal->body = vi->scene->pairs[pair].nonmortar.body;
   if (!of.active) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt k = 0; k < dim; k++) {
-    goal->at[k] = of.max_pressure_at[k];
-    squared += PetscSqr(of.upper[k] - of.lower[k]);
-  }
-  goal->radius = PetscMax(PRESSURE_RADIUS * PetscSqrtReal(squared), PETSC_SMALL);
+  PetscCall(PetscArraycpy(goal->at, of.max_pressure_at, dim));
+  goal->radius = PetscMax(PRESSURE_RADIUS * VectorDistance(dim, of.upper, of.lower), PETSC_SMALL);
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (GoalTakesRow_Private(goal, r))
       sum += goal->fields->row_weight[r] *

@@ -67,21 +67,6 @@ static PetscReal SamplesGetOscillation_Private(const Samples *samples, PetscReal
   return sum;
 }
 
-/* The largest distance of two vertices along an edge. */
-static PetscReal OscillationGetSize_Private(PetscInt dim, ElementType type, const PetscReal X[])
-{
-  PetscReal largest = 0;
-
-  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
-    const PetscInt *ends   = ElementEdgeNodes(type, e);
-    PetscReal       square = 0;
-
-    for (PetscInt k = 0; k < dim; k++) square += PetscSqr(X[ends[0] * dim + k] - X[ends[1] * dim + k]);
-    largest = PetscMax(largest, square);
-  }
-  return PetscSqrtReal(largest);
-}
-
 /* Body forces. */
 static PetscErrorCode OscillationAddCells_Private(const Level *level, Compliance *compliance, PetscReal cell[])
 {
@@ -96,8 +81,7 @@ static PetscErrorCode OscillationAddCells_Private(const Level *level, Compliance
     PetscReal         X[3 * ELEMENT_MAX_NODES], phi[ELEMENT_MAX_NODES], direction[3], modulus, squared;
 
     if (!force || ExpressionIsConstant(force)) continue;
-    for (PetscInt i = 0; i < ElementNumNodes(type) * dim; i++)
-      X[i] = level->coords[level->cell_nodes[level->cell_start[c] + i / dim] * dim + i % dim];
+    VectorGather(dim, ElementNumNodes(type), &level->cell_nodes[level->cell_start[c]], level->coords, X);
     samples.type = type;
     samples.dim  = dim;
     samples.num  = QuadratureRule(type, 2 * ElementOrder(type) + MORE_DEGREES, samples.xi, samples.weight);
@@ -109,7 +93,7 @@ static PetscErrorCode OscillationAddCells_Private(const Level *level, Compliance
     squared = SamplesGetOscillation_Private(&samples, direction);
     if (squared <= 0) continue;
     PetscCall(ComplianceModulus(compliance, level->cell_material[c], samples.x, direction, &modulus));
-    cell[c] += PetscSqr(OscillationGetSize_Private(dim, type, X) / PETSC_PI) / modulus * squared;
+    cell[c] += PetscSqr(ElementLongestEdge(type, dim, X) / PETSC_PI) / modulus * squared;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -192,11 +176,10 @@ static PetscErrorCode OscillationAddBoundary_Private(const Solution *solution, P
     PetscReal       squared = 0, size;
 
     samples.type = facets.type[f];
-    for (PetscInt i = 0; i < ElementNumNodes(samples.type) * level->dim; i++)
-      X[i] = level->coords[nodes[i / level->dim] * level->dim + i % level->dim];
+    VectorGather(level->dim, ElementNumNodes(samples.type), nodes, level->coords, X);
     PetscCall(OscillationSampleFacet_Private(solution, boundary, nodes, X, &samples));
     PetscCall(ComplianceModulus(solution->compliance, material, samples.x, samples.n, &modulus));
-    size = OscillationGetSize_Private(level->dim, samples.type, X);
+    size = ElementLongestEdge(samples.type, level->dim, X);
     if (boundary->kind == BOUNDARY_DISPLACEMENT) {
       for (PetscInt i = 0; i < samples.num * level->dim; i++)
         squared += samples.weight[i / level->dim] * PetscSqr(samples.value[i]);

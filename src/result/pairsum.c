@@ -3,6 +3,7 @@
    With p_h = sum p_a psi_a: integral of p_h n = sum_a W_a p_a n_a, W_a = int psi_a = D_aa + sum_c D_ac. This
    is the sum of -B'lambda on the nonmortar body. By the row sums of D and M its negative acts on the mortar
    side. */
+#include "kernel/vector.h"
 #include "result/pairsum.h"
 #include "base/compat.h"
 
@@ -155,11 +156,10 @@ static PetscErrorCode PairSumGetMiddle_Private(const Level *level, const PetscRe
 
   PetscFunctionBeginUser;
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    PetscReal square = 0;
+    const PetscReal size = VectorNorm(level->dim, &F[a * level->dim]);
 
-    for (PetscInt k = 0; k < level->dim; k++) square += PetscSqr(F[a * level->dim + k]);
-    for (PetscInt k = 0; k < level->dim; k++) sums[k] += PetscSqrtReal(square) * level->coords[a * level->dim + k];
-    sums[3] += PetscSqrtReal(square);
+    for (PetscInt k = 0; k < level->dim; k++) sums[k] += size * level->coords[a * level->dim + k];
+    sums[3] += size;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, level->comm));
   for (PetscInt k = 0; k < 3; k++) middle[k] = sums[3] > 0 ? sums[k] / sums[3] : 0;
@@ -230,21 +230,20 @@ static PetscErrorCode PairSumGetMomentImbalance_Private(Fields fields, PetscInt 
   PetscCall(PetscArraycpy(centre, sum->centre, 3));
   if (vi->pairs[p]->spec->type == PAIR_TIED) PetscCall(PairSumGetMiddle_Private(vi->level, F, centre));
   for (PetscInt a = 0; a < vi->level->num_owned; a++) {
-    PetscReal x[3] = {0, 0, 0}, f[3] = {0, 0, 0}, xx = 0, ff = 0;
+    PetscReal x[3] = {0, 0, 0}, f[3] = {0, 0, 0}, moment[3];
 
     for (PetscInt k = 0; k < dim; k++) {
       x[k] = vi->level->coords[a * dim + k] - centre[k];
       f[k] = F[a * dim + k];
-      xx += x[k] * x[k];
-      ff += f[k] * f[k];
     }
-    for (PetscInt k = 0; k < 3; k++) sums[k] += x[(k + 1) % 3] * f[(k + 2) % 3] - x[(k + 2) % 3] * f[(k + 1) % 3];
-    sums[3] += PetscSqrtReal(xx * ff);
+    VectorCross(x, f, moment);
+    for (PetscInt k = 0; k < 3; k++) sums[k] += moment[k];
+    sums[3] += VectorNorm(3, x) * VectorNorm(3, f);
   }
   PetscCall(VecRestoreArrayRead(force, &F));
   PetscCall(VecDestroy(&force));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, vi->level->comm));
-  sum->moment_imbalance = PetscSqrtReal(PetscSqr(sums[0]) + PetscSqr(sums[1]) + PetscSqr(sums[2])) / sums[3];
+  sum->moment_imbalance = VectorNorm(3, sums) / sums[3];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

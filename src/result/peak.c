@@ -124,7 +124,7 @@ static PetscErrorCode PeakAddFacet_Private(Fields fields, PetscInt p, PetscInt f
 
   PetscFunctionBeginUser;
   ContactFacetCoordinates(level, facets, f, X);
-  found->small = PetscMax(found->small, -ContactFacetSize(dim, type, X));
+  found->small = PetscMax(found->small, -ElementLongestEdge(type, dim, X));
   if (dim == 3) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt i = 0; i < dim; i++) {
     PetscReal phi[ELEMENT_MAX_NODES], own[3], x[3];

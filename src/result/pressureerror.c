@@ -1,5 +1,6 @@
 /* pressureerror.c -- error of a pressure, as the field in files and row by row. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "result/pressureerror.h"
 
 /* Eight points on a line: an exact pressure may have a kink within a facet, where contact ends. */
@@ -44,10 +45,9 @@ static PetscErrorCode PressureErrorAddFacet_Private(const Level *level, const Fa
   const PetscInt    num_points = QuadratureRule(type, FACET_DEGREE, xi, w);
 
   PetscFunctionBeginUser;
-  for (PetscInt a = 0; a < n; a++) {
+  for (PetscInt a = 0; a < n; a++)
     if (PetscRealPart(values[nodes[a] * NODE_COUNT + NODE_COVERED]) == 0) PetscFunctionReturn(PETSC_SUCCESS);
-    PetscCall(PetscArraycpy(&X[a * dim], &level->coords[nodes[a] * dim], dim));
-  }
+  VectorGather(dim, n, nodes, level->coords, X);
   for (PetscInt q = 0; q < num_points; q++) {
     PetscReal ds = w[q] * ElementSurface(type, X, &xi[q * ElementDim(type)], x, phi, NULL), ph = 0;
 

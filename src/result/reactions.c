@@ -4,6 +4,7 @@
    one of them, the sums are of first order in the size of the cells there. Tractions of the recovered stress
    say how to split it. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "result/cellstress.h"
 #include "result/reactions.h"
 
@@ -27,7 +28,7 @@ static void ReactionsAddFacet_Private(const Level *level, const Facets *facets, 
   PetscReal         X[3 * F], xi[2 * ELEMENT_MAX_POINTS], weight[ELEMENT_MAX_POINTS], x[3], phi[ELEMENT_MAX_NODES];
   const PetscInt    num = QuadratureRule(type, 2 * ElementOrder(type) + 1, xi, weight);
 
-  for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+  VectorGather(dim, n, nodes, level->coords, X);
   for (PetscInt q = 0; q < num; q++) {
     PetscScalar stress[CELL_STRESSES] = {0};
     PetscReal   normal[3], traction[3];

@@ -3,6 +3,7 @@
    At a node of a smooth curve the facets turn by a little; at an edge by much, or they end; on a flat side
    not at all. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "result/roundness.h"
 
 /* Facets that meet at less than 30 degrees are taken for a smooth curve: each is half of that from the mean
@@ -22,8 +23,8 @@ static void RoundnessGetNormal_Private(const Level *level, const PetscInt nodes[
   for (PetscInt k = 0; k < dim; k++) a[k] = x[1][k] - x[0][k];
   for (PetscInt k = 0; k < dim && dim == 3; k++)
     b[k] = x[2][k] - x[0][k]; // else (dx, dy, 0) x (0, 0, 1) = (dy, -dx, 0)
-  for (PetscInt k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  size = PetscSqrtReal(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  VectorCross(a, b, n);
+  size = VectorNorm(3, n);
   for (PetscInt k = 0; k < 3; k++) n[k] /= size > 0 ? size : 1;
 }
 

@@ -59,10 +59,7 @@ static PetscReal SetupCornerShape_Private(ElementType linear, const PetscReal X[
     for (PetscInt k = 0; k < dim; k++) e[num][k] = X[ends[ends[0] == corner ? 1 : 0] * dim + k] - X[corner * dim + k];
     lengths *= VectorNorm(dim, e[num++]);
   }
-  det = dim == 2
-            ? e[0][0] * e[1][1] - e[0][1] * e[1][0]
-            : e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-                  e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  det = dim == 2 ? VectorCrossPlane(e[0], e[1]) : VectorTriple(e[0], e[1], e[2]);
   if (!(lengths > 0)) return 0;
   if (linear == ELEMENT_TRI3) lengths *= TRIANGLE_CORNER;
   if (linear == ELEMENT_TET4) lengths *= TETRAHEDRON_CORNER;
@@ -78,8 +75,7 @@ PetscReal SetupCellVolume(Scene scene, const Level *level, PetscInt c)
   const PetscInt    num =
       QuadratureRule(type, dim * ElementOrder(type) + SceneMeasureDegree(scene, ElementOrder(type)), points, w);
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++)
-    for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = level->coords[nodes[i] * dim + k];
+  VectorGather(dim, ElementNumNodes(type), nodes, level->coords, X);
   for (PetscInt q = 0; q < num; q++) {
     PetscReal       x[3], phi[ELEMENT_MAX_NODES];
     const PetscReal dx = w[q] * ElementMap(type, X, &points[q * dim], x, phi, NULL);
@@ -98,25 +94,17 @@ static void SetupBodyAddCell_Private(VI vi, PetscInt c, SetupBody *body)
   const ElementType linear = ElementLinear(type);
   const PetscInt   *nodes  = &level->cell_nodes[level->cell_start[c]];
   PetscReal         X[3 * ELEMENT_MAX_NODES], middle[3] = {0, 0, 0};
-  PetscReal         shape = 1, shortest = PETSC_MAX_REAL, longest = 0;
+  PetscReal         shape = 1;
 
-  for (PetscInt i = 0; i < ElementNumNodes(linear); i++)
-    for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = level->coords[nodes[i] * dim + k];
+  VectorGather(dim, ElementNumNodes(linear), nodes, level->coords, X);
   body->volume += SetupCellVolume(vi->scene, level, c);
   for (PetscInt i = 0; i < ElementNumNodes(linear); i++) {
     for (PetscInt k = 0; k < dim; k++) middle[k] += X[i * dim + k] / ElementNumNodes(linear);
     shape = PetscMin(shape, SetupCornerShape_Private(linear, X, dim, i));
   }
-  for (PetscInt i = 0; i < ElementNumEdges(linear); i++) {
-    const PetscInt *ends = ElementEdgeNodes(linear, i);
-    PetscReal       e[3];
-
-    for (PetscInt k = 0; k < dim; k++) e[k] = X[ends[1] * dim + k] - X[ends[0] * dim + k];
-    shortest = PetscMin(shortest, VectorNorm(dim, e));
-    longest  = PetscMax(longest, VectorNorm(dim, e));
-  }
   SetupExtremeAdd_Private(&body->shape, 1, shape, dim, middle);
-  SetupExtremeAdd_Private(&body->aspect, -1, longest / shortest, dim, middle);
+  SetupExtremeAdd_Private(&body->aspect, -1, ElementLongestEdge(linear, dim, X) / ElementShortestEdge(linear, dim, X),
+                          dim, middle);
   body->cells++;
 }
 
@@ -131,7 +119,7 @@ static PetscErrorCode SetupBodiesAddNodes_Private(VI vi, SetupBody bodies[])
   PetscCall(VecGetArrayRead(vi->f, &f));
   for (PetscInt a = 0; a < level->num_owned; a++) {
     SetupBody *body = &bodies[level->node_body[a]];
-    PetscReal  x[3] = {0, 0, 0}, p[3] = {0, 0, 0};
+    PetscReal  x[3] = {0, 0, 0}, p[3] = {0, 0, 0}, moment[3];
 
     body->nodes++;
     for (PetscInt k = 0; k < dim; k++) {
@@ -141,8 +129,8 @@ static PetscErrorCode SetupBodiesAddNodes_Private(VI vi, SetupBody bodies[])
       body->upper[k] = PetscMax(body->upper[k], x[k]);
       body->force[k] += p[k];
     }
-    for (PetscInt k = 0; k < 3; k++)
-      body->moment[k] += x[(k + 1) % 3] * p[(k + 2) % 3] - x[(k + 2) % 3] * p[(k + 1) % 3];
+    VectorCross(x, p, moment);
+    for (PetscInt k = 0; k < 3; k++) body->moment[k] += moment[k];
   }
   PetscCall(VecRestoreArrayRead(vi->f, &f));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -256,8 +244,7 @@ static PetscErrorCode SetupSideCompute_Private(VI vi, SetupSide *side)
     PetscReal         X[3 * ELEMENT_MAX_FACET_NODES], points[3 * ELEMENT_MAX_POINTS], w[ELEMENT_MAX_POINTS];
     const PetscInt    num = QuadratureRule(type, 2 * ElementOrder(type) + DEGREE, points, w);
 
-    for (PetscInt i = 0; i < ElementNumNodes(type); i++)
-      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = vi->level->coords[nodes[i] * dim + k];
+    VectorGather(dim, ElementNumNodes(type), nodes, vi->level->coords, X);
     for (PetscInt q = 0; q < num; q++) {
       PetscReal x[3], nu[3], phi[ELEMENT_MAX_NODES];
       PetscReal dx = w[q] * ElementSurface(type, X, &points[q * inner], x, phi, nu);

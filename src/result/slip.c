@@ -71,26 +71,6 @@ void SlipTakeTangential(const Pair pair, const PetscReal relative[], PetscReal t
   }
 }
 
-/* The shortest edge of a facet. */
-static PetscReal SlipShortestEdge_Private(const Level *level, const Facets *facets, PetscInt f)
-{
-  const PetscInt    dim   = level->dim;
-  const ElementType type  = ElementLinear(facets->type[f]);
-  PetscReal         least = PETSC_MAX_REAL;
-
-  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
-    const PetscInt *ends = ElementEdgeNodes(type, e);
-    PetscReal       d[3];
-
-    for (PetscInt k = 0; k < dim; k++) {
-      d[k] = level->coords[facets->nodes[f * F + ends[1]] * dim + k] -
-             level->coords[facets->nodes[f * F + ends[0]] * dim + k];
-    }
-    least = PetscMin(least, VectorNorm(dim, d));
-  }
-  return least;
-}
-
 PetscErrorCode SlipFindFacetSizes(Fields fields, PetscInt p, PetscReal size[])
 {
   const Pair       pair  = fields->vi->pairs[p];
@@ -107,13 +87,12 @@ PetscErrorCode SlipFindFacetSizes(Fields fields, PetscInt p, PetscReal size[])
   PetscCall(VecSet(local, -PETSC_MAX_REAL));
   PetscCall(VecGetArray(local, &value));
   for (PetscInt f = 0; f < facets.num; f++) {
-    const PetscReal edge = SlipShortestEdge_Private(level, &facets, f);
+    const PetscInt *nodes = &facets.nodes[f * F], num = ElementNumNodes(facets.type[f]);
+    PetscReal       X[3 * F], edge;
 
-    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
-      PetscScalar *at = &value[facets.nodes[f * F + i]];
-
-      *at = PetscMax(PetscRealPart(*at), -edge);
-    }
+    VectorGather(level->dim, num, nodes, level->coords, X);
+    edge = ElementShortestEdge(facets.type[f], level->dim, X);
+    for (PetscInt i = 0; i < num; i++) value[nodes[i]] = PetscMax(PetscRealPart(value[nodes[i]]), -edge);
   }
   PetscCall(VecRestoreArray(local, &value));
   PetscCall(VecGhostRestoreLocalForm(sizes, &local));

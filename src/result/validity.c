@@ -81,12 +81,8 @@ static void ValidityOfCell_Private(const Fields fields, PetscInt c, const Elemen
   const PetscBool ring = (PetscBool)(level->scene->model == MODEL_AXISYMMETRIC);
   PetscReal       X[ELEMENT_MAX_NODES * 3], v[ELEMENT_MAX_NODES * 3], x[3], found[NUM_SIZES];
 
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt k = 0; k < dim; k++) {
-      X[i * dim + k] = level->coords[nodes[i] * dim + k];
-      v[i * dim + k] = PetscRealPart(u[nodes[i] * dim + k]);
-    }
-  }
+  VectorGather(dim, n, nodes, level->coords, X);
+  VectorGather(dim, n, nodes, u, v);
   for (PetscInt q = 0; q < rule->num; q++) {
     PetscReal H[10] = {0}, weight;
 

@@ -6,6 +6,7 @@
    gaps as constraints. */
 #include "base/compat.h"
 #include "kernel/dense.h"
+#include "kernel/vector.h"
 #include "rigid/rigidimpl.h"
 
 /* A contact is pressed if its pressure exceeds this part of the largest. */
@@ -66,7 +67,7 @@ static void MinimumNormAddCell_Private(VI vi, PetscInt c, const ElementRule *rul
 
   while (vi->rigid_modes.component[begin] < piece) begin++;
   for (end = begin; end < m && vi->rigid_modes.component[end] == piece;) end++;
-  for (PetscInt i = 0; i < n * dim; i++) X[i] = level->coords[nodes[i / dim] * dim + i % dim];
+  VectorGather(dim, n, nodes, level->coords, X);
   for (PetscInt q = 0; q < rule->num; q++) {
     const PetscReal weight = ElementRuleMap(rule, q, X, x, NULL) * rule->weight[q] * SceneMeasure(vi->scene, x);
 

@@ -5,6 +5,7 @@
    of their Gram matrix. */
 #include "base/compat.h"
 #include "kernel/dense.h"
+#include "kernel/vector.h"
 #include "support/rigidmodes.h"
 
 /* An eigenvalue counts as 0 below this part of the largest. It is the square of a ratio of lengths: at worst
@@ -51,10 +52,8 @@ static void RigidModesSetRow_Private(PetscInt dim, const PetscReal frame[], cons
     a[k] = (x[k] - frame[k]) / frame[3];
     D[k] = d[k];
   }
-  for (PetscInt k = 0; k < 3; k++) {
-    row[k]     = D[k];
-    row[3 + k] = a[(k + 1) % 3] * D[(k + 2) % 3] - a[(k + 2) % 3] * D[(k + 1) % 3];
-  }
+  for (PetscInt k = 0; k < 3; k++) row[k] = D[k];
+  VectorCross(a, D, &row[3]);
 }
 
 void RigidModesAt(PetscInt dim, const PetscReal frame[], const PetscReal mode[], const PetscReal x[], PetscReal u[])

@@ -172,11 +172,7 @@ static void FacetAddNormal_Private(const Level *level, const Facets *facets, Pet
   PetscReal         phi[ELEMENT_MAX_NODES], normal[3];
   const PetscInt    num = QuadratureRule(type, degree, xi, weight);
 
-  for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-    const PetscInt node = facets->nodes[f * ELEMENT_MAX_FACET_NODES + i];
-
-    for (PetscInt d = 0; d < dim; d++) X[i * dim + d] = level->coords[node * dim + d];
-  }
+  VectorGather(dim, ElementNumNodes(type), &facets->nodes[f * ELEMENT_MAX_FACET_NODES], level->coords, X);
   for (PetscInt q = 0; q < num; q++) {
     const PetscReal area = weight[q] * ElementSurface(type, X, &xi[q * (dim - 1)], NULL, phi, normal);
 
