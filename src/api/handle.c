@@ -220,8 +220,7 @@ static PetscErrorCode HandleSetGuess_Private(Mortise m, Vec u)
   if (!u || !m->mesh) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(LevelCreateVec(MeshFinest(m->mesh), m->scene->dim, &m->guess));
   PetscCall(VecCopy(u, m->guess));
-  PetscCall(VecGhostUpdateBegin(m->guess, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(m->guess, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(m->guess, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

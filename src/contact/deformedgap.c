@@ -126,8 +126,7 @@ static PetscErrorCode DeformedGapKeepNodes_Private(Pair pair, MultiplierStatus s
   PetscCall(VecGetArray(marks, &mark));
   for (PetscInt k = 0; k < pair->num; k++) mark[pair->nodes[k]] = 1;
   PetscCall(VecRestoreArray(marks, &mark));
-  PetscCall(VecGhostUpdateBegin(marks, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(marks, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(marks, INSERT_VALUES));
   PetscCall(VecGhostGetLocalForm(marks, &local));
   PetscCall(VecGetArrayRead(local, &kept));
   for (PetscInt i = 0; i < level->num_nodes; i++) {

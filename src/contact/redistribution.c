@@ -188,8 +188,7 @@ static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const MortarI
   if (!W) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDuplicate(sums->D, &total));
   PetscCall(MatMultAdd(W, sums->D, sums->D, total));
-  PetscCall(VecGhostUpdateBegin(total, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(total, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(total, INSERT_VALUES));
   PetscCall(VecGhostGetLocalForm(total, &local));
   PetscCall(VecGhostGetLocalForm(sums->D, &local_D));
   PetscCall(VecGetArrayRead(local, &t));

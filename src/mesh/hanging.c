@@ -336,8 +336,7 @@ static PetscErrorCode LevelShareValues_Private(Level *level, PetscReal values[])
   PetscCall(VecGetArray(x, &a));
   for (PetscInt i = 0; i < owned; i++) a[i] = values[i];
   PetscCall(VecRestoreArray(x, &a));
-  PetscCall(VecGhostUpdateBegin(x, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(x, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(x, INSERT_VALUES));
   PetscCall(VecGhostGetLocalForm(x, &local));
   PetscCall(VecGetArray(local, &a));
   for (PetscInt i = 0; i < num; i++) values[i] = PetscRealPart(a[i]);
@@ -558,8 +557,7 @@ static PetscErrorCode LevelMultiply_Private(Level *level, PetscInt bs, PetscBool
   PetscCall(VecDuplicate(v, &product));
   PetscCall(transpose ? MatMultTranspose(S, v, product) : MatMult(S, v, product));
   PetscCall(VecCopy(product, v));
-  PetscCall(VecGhostUpdateBegin(v, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(v, INSERT_VALUES));
   PetscCall(VecDestroy(&product));
   PetscCall(MatDestroy(&S));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -15,8 +15,10 @@ PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v)
 PetscErrorCode LevelShareVec(Vec v, InsertMode mode)
 {
   PetscFunctionBeginUser;
-  PetscCall(VecGhostUpdateBegin(v, mode, SCATTER_REVERSE));
-  PetscCall(VecGhostUpdateEnd(v, mode, SCATTER_REVERSE));
+  if (mode != INSERT_VALUES) {
+    PetscCall(VecGhostUpdateBegin(v, mode, SCATTER_REVERSE));
+    PetscCall(VecGhostUpdateEnd(v, mode, SCATTER_REVERSE));
+  }
   PetscCall(VecGhostUpdateBegin(v, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostUpdateEnd(v, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -121,8 +121,7 @@ static PetscErrorCode LevelProlongCoord_Private(Level *coarse, Level *fine, Pets
   for (PetscInt i = 0; i < coarse->num_owned; i++) x[i] = coarse->unmapped[i * coarse->dim + d];
   PetscCall(VecRestoreArray(from, &x));
   PetscCall(MatMult(fine->prolongation, from, to));
-  PetscCall(VecGhostUpdateBegin(to, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(to, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(to, INSERT_VALUES));
   PetscCall(VecGhostGetLocalForm(to, &local));
   PetscCall(VecGetArray(local, &x));
   for (PetscInt i = 0; i < fine->num_nodes; i++) fine->unmapped[i * fine->dim + d] = PetscRealPart(x[i]);

@@ -139,8 +139,8 @@ PetscErrorCode FacetsDestroy(Facets *facets);
 /* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order.
    Collective. */
 PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v);
-/* Adds (ADD_VALUES) or maximises (MAX_VALUES) the values that ranks have for the same node at its owner, and
-   sends the result to its ghosts. Collective. */
+/* Sends the values of owners to ghosts (INSERT_VALUES). Before that it adds (ADD_VALUES) or maximises
+   (MAX_VALUES) at the owner what ranks have for the same node. Collective. */
 PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* A matrix between node values as one for bs values at each node. Collective.
    [in] P - AIJ; [out] blocks - AIJ of block size bs, owned by the caller */

@@ -156,8 +156,7 @@ PetscErrorCode FieldWriterNumberPoints(Level *level, const PetscInt start[], Pet
   PetscCall(VecGetArray(numbers, &set));
   for (PetscInt a = 0; a < level->num_owned; a++) set[a] = (PetscReal)(begin + start[a]);
   PetscCall(VecRestoreArray(numbers, &set));
-  PetscCall(VecGhostUpdateBegin(numbers, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(numbers, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(numbers, INSERT_VALUES));
   PetscCall(VecGhostGetLocalForm(numbers, &local));
   PetscCall(VecGetArrayRead(local, &value));
   for (PetscInt n = 0; n < level->num_nodes; n++) first[n] = (PetscInt)PetscRealPart(value[n]);

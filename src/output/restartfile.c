@@ -362,7 +362,6 @@ PetscErrorCode RestartFileRead(Level *level, const char path[], Vec *u, PetscRea
   PetscCall(BoxTreeDestroy(&tree));
   PetscCall(PastDestroy_Private(&past));
   PetscCall(PastCheckNode_Private(level, path, wrong, (PetscBool)(point == -2)));
-  PetscCall(VecGhostUpdateBegin(*u, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*u, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*u, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -359,8 +359,7 @@ PetscErrorCode VIRecoverDisplacement(VI vi, Vec y, Vec u)
     PetscCall(VecCopy(y, u));
   PetscCall(VecScale(u, vi->length));
   PetscCall(LevelConform(vi->level, vi->level->dim, u)); // exactly, though solvers stop
-  PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(u, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

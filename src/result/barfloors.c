@@ -51,8 +51,7 @@ static PetscErrorCode BarFloorsCreateNodal_Private(Fields fields, PetscInt p, Ve
     if (LevelNodeHangs(pair->level, i)) BarFloorsSetNode_Private(&values, i, a);
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));
-  PetscCall(VecGhostUpdateBegin(*nodal, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*nodal, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*nodal, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

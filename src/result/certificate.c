@@ -251,8 +251,7 @@ static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, 
     PetscCall(VecRestoreArrayRead(forces[i], &force[i]));
     PetscCall(VecDestroy(&forces[i]));
   }
-  PetscCall(VecGhostUpdateBegin(reactions, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(reactions, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(reactions, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -58,8 +58,7 @@ static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const
     if (fields->row_status[r] == STATUS_OPEN) mark[vi->pairs[p]->nodes[vi->row_node[r]]] = NODE_OUT;
   }
   PetscCall(VecRestoreArray(*marks, &mark));
-  PetscCall(VecGhostUpdateBegin(*marks, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*marks, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*marks, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

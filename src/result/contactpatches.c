@@ -71,8 +71,7 @@ static PetscErrorCode PatchSetLabels_Private(Fields fields, PetscInt p, Vec labe
   }
   PetscCall(VecRestoreArray(labels, &label));
   PetscCall(PairFieldsDestroy(&nodal));
-  PetscCall(VecGhostUpdateBegin(labels, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(labels, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(labels, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -156,8 +156,7 @@ static PetscErrorCode PairFieldsHangStatus_Private(Level *level, const PetscBool
     a[2 * i + 1] = nodal->covered[i] ? 1 : 0;
   }
   PetscCall(VecRestoreArray(v, &a));
-  PetscCall(VecGhostUpdateBegin(v, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(v, INSERT_VALUES));
   PetscCall(VecGhostGetLocalForm(v, &local));
   PetscCall(VecGetArray(local, &a));
   for (PetscInt i = 0; i < level->num_owned; i++) {
@@ -280,7 +279,6 @@ PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
   }
   PetscCall(VecRestoreArray(*traction, &t));
   PetscCall(PetscFree2(component, covered));
-  PetscCall(VecGhostUpdateBegin(*traction, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*traction, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*traction, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -28,8 +28,7 @@ static PetscErrorCode PressureErrorGetNodalValues_Private(Fields fields, PetscIn
     a[i * NODE_COUNT + NODE_COVERED]  = nodal.covered[i] ? 1 : 0;
   }
   PetscCall(VecRestoreArray(*values, &a));
-  PetscCall(VecGhostUpdateBegin(*values, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*values, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*values, INSERT_VALUES));
   PetscCall(PairFieldsDestroy(&nodal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

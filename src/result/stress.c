@@ -242,8 +242,7 @@ static PetscErrorCode StressDivide_Private(Level *level, const PetscBool continu
   PetscCall(VecRestoreArray(stress, &sums));
   PetscCall(VecRestoreArrayRead(volume, &volumes));
   if (continuous) PetscCall(StressConform_Private(level, continuous, stress));
-  PetscCall(VecGhostUpdateBegin(stress, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(stress, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(stress, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -249,8 +249,7 @@ static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pai
   for (PetscInt a = 0; a < pair->num; a++) state->error[a] = NAN;
   for (PetscInt half = 0; half <= MAX_HALVES && away; half++, share /= 2) {
     PetscCall(VecAXPBY(u, share, 0.0, fields->u));
-    PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
-    PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(LevelShareVec(u, INSERT_VALUES));
     PetscCall(DeformedGapMeasure(vi->scene, &vi->support, pair, u, gap, half ? NULL : state->turn));
     away = PETSC_FALSE;
     for (PetscInt a = 0; a < pair->num; a++) {

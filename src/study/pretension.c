@@ -195,8 +195,7 @@ PetscErrorCode PretensionSolve(VI vi, Solvability solvability, Solver solver, Ve
   PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
   if (guess) {
     PetscCall(VecCopy(guess, u));
-    PetscCall(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
-    PetscCall(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
+    PetscCall(LevelShareVec(u, INSERT_VALUES));
   }
   scene->keep = PETSC_TRUE; // all these solves have the same matrices
   PetscCall(PretensionFind_Private(vi, solvability, solver, (PetscBool)(guess != NULL), u, y, report));

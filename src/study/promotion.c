@@ -11,8 +11,7 @@ PetscErrorCode PromotionProlong(Mat P, Level *level, Vec u, Vec *v)
   PetscCall(MatCreateMAIJ(P, level->dim, &blocks));
   PetscCall(MatMult(blocks, u, *v));
   PetscCall(MatDestroy(&blocks));
-  PetscCall(VecGhostUpdateBegin(*v, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*v, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*v, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -308,8 +308,7 @@ static PetscErrorCode StepsCorrectGuess_Private(const Vec coarse[], PetscInt i, 
   PetscCall(VecDuplicate(coarse[i], guess));
   PetscCall(VecCopy(coarse[i], *guess));
   if (i) PetscCall(VecAXPBYPCZ(*guess, 1, -1, 1, run->fields->u, coarse[i - 1]));
-  PetscCall(VecGhostUpdateBegin(*guess, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*guess, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*guess, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
