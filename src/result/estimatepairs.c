@@ -18,7 +18,7 @@ static const PetscReal HIDDEN_DEPTH = 1e-9;
 /* Both sides' values at nodes. */
 typedef struct {
   const PetscScalar *u, *traction, *normal; /* local forms of the nonmortar side */
-  const PetscScalar *closed;                /* with a frozen set: 1 at nodes in contact, else NULL */
+  const PetscScalar *status;                /* of the nonmortar side; with a frozen set, of that */
   const PetscScalar *before;                /* displacement from which slip counts, or NULL for none */
   NodalStressArrays  stress;
   PetscReal         *u_m;        /* of PairPointsFetch(), like the following */
@@ -115,8 +115,8 @@ static const PetscReal *PairValuesStress_Private(const PairValues *values, Petsc
 typedef struct {
   PetscReal x[3], normal[3], jump[3], traction[3], stress[2][CELL_STRESSES];
   PetscReal before[3]; /* the jump from which slip counts */
-  PetscBool closed;    /* with a frozen set: whether all vertices of the facet are in contact */
-  PetscBool pushed;    /* whether there is a traction at any node of the facet */
+  PetscBool closed;    /* whether all vertices of the facet are in contact */
+  PetscBool pushed;    /* whether there is a traction at any node of the facet that is not open */
 } PointState;
 
 static void PointStateSet_Private(const Level *level, PairPoints points, const PairPoint *point,
@@ -128,8 +128,8 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
   PetscReal         phi[ELEMENT_MAX_NODES];
 
   *state = (PointState){.closed = PETSC_TRUE};
-  for (PetscInt i = 0; values->closed && i < ElementNumNodes(ElementLinear(type)); i++)
-    state->closed = (PetscBool)(state->closed && PetscRealPart(values->closed[nodes[i]]) != 0);
+  for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); i++)
+    state->closed = (PetscBool)(state->closed && StatusIsContact((PetscInt)values->status[nodes[i]]));
   ElementShape(type, point->xi, phi, NULL);
   for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
     for (PetscInt k = 0; k < dim; k++) {
@@ -138,7 +138,8 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
       state->jump[k] += phi[i] * PetscRealPart(values->u[nodes[i] * dim + k]);
       if (values->before) state->before[k] += phi[i] * PetscRealPart(values->before[nodes[i] * dim + k]);
       state->traction[k] += phi[i] * PetscRealPart(values->traction[nodes[i] * dim + k]);
-      if (values->traction[nodes[i] * dim + k] != 0) state->pushed = PETSC_TRUE;
+      if (values->traction[nodes[i] * dim + k] != 0 && values->status[nodes[i]] != STATUS_OPEN)
+        state->pushed = PETSC_TRUE; // that of an open node is roundoff
     }
     for (PetscInt k = 0; k < CELL_STRESSES; k++)
       state->stress[0][k] += phi[i] * PetscRealPart(NodalStressAt(&values->stress, nodes[i], material)[k]);
@@ -270,22 +271,20 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Marks the nodes of a pair that are in contact. Collective.
-   [in] fields - of the solution; [out] closed - ghosted, owned by the caller */
-static PetscErrorCode EstimateMarkClosed_Private(Fields fields, PetscInt p, Vec *closed)
+/* Status of the nodes of a side. Collective. [out] status - ghosted, owned by the caller */
+static PetscErrorCode EstimateCreateStatus_Private(Fields fields, PetscInt p, Vec *status)
 {
   PairFields   nodal;
   PetscScalar *a;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(fields->vi->level, 1, closed));
+  PetscCall(LevelCreateVec(fields->vi->level, 1, status));
   PetscCall(PairFieldsCreate(fields, p, &nodal));
-  PetscCall(VecGetArray(*closed, &a));
-  for (PetscInt i = 0; i < fields->vi->level->num_owned; i++) a[i] = nodal.status[i] == STATUS_CONTACT;
-  PetscCall(VecRestoreArray(*closed, &a));
+  PetscCall(VecGetArray(*status, &a));
+  for (PetscInt i = 0; i < fields->vi->level->num_owned; i++) a[i] = (PetscReal)nodal.status[i];
+  PetscCall(VecRestoreArray(*status, &a));
   PetscCall(PairFieldsDestroy(&nodal));
-  PetscCall(VecGhostUpdateBegin(*closed, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*closed, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*status, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -297,7 +296,7 @@ static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p,
   const PairPoints points = fields->vi->pairs[p]->points;
   const PetscInt   dim = level->dim, *nodes = &points->facets.nodes[f * F], cell = points->facets.cell[f];
   ObstacleFacet    facet = {.spec = fields->vi->pairs[p]->spec, .dim = dim, .type = points->facets.type[f]};
-  PetscReal        x[3], normal[3], depth, squared, width, modulus, xi[2] = {0, 0}, phi[ELEMENT_MAX_NODES];
+  PetscReal        x[3], normal[3], depth, squared, width, modulus, xi[2], weight, phi[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(facet.X, X, ElementNumNodes(facet.type) * dim));
@@ -306,7 +305,8 @@ static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p,
   PetscCall(HiddenContactFind(&facet, x, &depth, &squared, &width));
   if (!(depth > HIDDEN_DEPTH * ElementLongestEdge(facet.type, dim, X))) PetscFunctionReturn(PETSC_SUCCESS);
   HiddenContactTake_Private(dim, depth, x, &sums->hidden[p]);
-  ElementSurface(facet.type, X, xi, NULL, phi, normal);
+  (void)QuadratureRule(facet.type, 1, xi, &weight); // the point in the middle
+  (void)ElementSurface(facet.type, X, xi, NULL, phi, normal);
   PetscCall(ComplianceModulus(sums->compliance, level->cell_material[cell], x, normal, &modulus));
   PetscCall(VecSetValue(sums->squares, sums->first + cell,
                         PETSC_PI * modulus / width * squared * SceneMeasure(level->scene, x), ADD_VALUES));
@@ -351,12 +351,12 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
   PairValues          values = {NULL};
   const PetscBool     slips  = ScenePairHasFriction(fields->vi->pairs[p]->spec);
   Vec                 v[]    = {fields->u, NULL, points->normals, NULL, slips ? fields->vi->slip_from : NULL}, local[5];
-  const PetscScalar **array[] = {&values.u, &values.traction, &values.normal, &values.closed, &values.before};
+  const PetscScalar **array[] = {&values.u, &values.traction, &values.normal, &values.status, &values.before};
   const PetscInt      num     = PETSC_STATIC_ARRAY_LENGTH(v);
 
   PetscFunctionBeginUser;
   PetscCall(PairTractionCreate(fields, p, &v[1]));
-  if (sums->frozen) PetscCall(EstimateMarkClosed_Private(sums->frozen->solution, p, &v[3]));
+  PetscCall(EstimateCreateStatus_Private(sums->frozen ? sums->frozen->solution : fields, p, &v[3]));
   PetscCall(PairValuesFetchMortar_Private(fields, fields->vi->pairs[p], &values));
   PetscCall(NodalStressGetArrays(&fields->stress, &values.stress));
   for (PetscInt i = 0; i < num; i++) {

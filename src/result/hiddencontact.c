@@ -18,11 +18,9 @@ enum {
 /* Whether a point belongs to the reference cell. */
 static PetscBool FacetHas_Private(ElementType type, const PetscReal xi[])
 {
-  const ElementType linear = ElementLinear(type);
-
-  if (linear == ELEMENT_TRI3) return (PetscBool)(xi[0] >= 0 && xi[1] >= 0 && xi[0] + xi[1] <= 1);
+  if (ElementLinear(type) == ELEMENT_TRI3 && xi[0] + xi[1] > 1) return PETSC_FALSE;
   for (PetscInt k = 0; k < ElementDim(type); k++)
-    if (PetscAbsReal(xi[k]) > 1) return PETSC_FALSE;
+    if (xi[k] < 0 || xi[k] > 1) return PETSC_FALSE;
   return PETSC_TRUE;
 }
 
@@ -56,16 +54,15 @@ static PetscErrorCode FacetDepth_Private(const ObstacleFacet *facet, const Petsc
 /* The deepest point of a lattice. [out] xi; [out] step - of the lattice */
 static PetscErrorCode FacetSearch_Private(const ObstacleFacet *facet, PetscReal xi[], PetscReal *step, PetscReal *depth)
 {
-  const PetscInt  inner = facet->dim - 1, parts = inner == 1 ? LATTICE_LINE : LATTICE_FACE;
-  const PetscReal begin = ElementLinear(facet->type) == ELEMENT_TRI3 ? 0 : -1;
+  const PetscInt inner = facet->dim - 1, parts = inner == 1 ? LATTICE_LINE : LATTICE_FACE;
 
   PetscFunctionBeginUser;
-  *step  = (1 - begin) / parts;
+  *step  = (PetscReal)1 / parts;
   *depth = PETSC_MIN_REAL;
-  xi[0] = xi[1] = begin;
+  xi[0] = xi[1] = 0;
   for (PetscInt j = 0; j <= (inner == 1 ? 0 : parts); j++) {
     for (PetscInt i = 0; i <= parts; i++) {
-      const PetscReal at[2] = {begin + *step * i, begin + *step * j};
+      const PetscReal at[2] = {*step * i, *step * j};
       PetscReal       here;
 
       PetscCall(FacetDepth_Private(facet, at, NULL, &here));
@@ -104,7 +101,7 @@ static PetscErrorCode FacetDescend_Private(const ObstacleFacet *facet, PetscReal
 static PetscErrorCode FacetReach_Private(const ObstacleFacet *facet, const PetscReal xi[], PetscInt axis,
                                          PetscReal sense, PetscReal *reach)
 {
-  PetscReal low = 0, high = 2;
+  PetscReal low = 0, high = 1;
 
   PetscFunctionBeginUser;
   for (PetscInt k = 0; k < HALVINGS; k++) {

@@ -50,8 +50,7 @@ static PetscErrorCode PeakCreateNodal_Private(Fields fields, PetscInt p, Vec *no
   for (PetscInt k = 0; k < pair->num; k++) a[NODE_DATA * pair->nodes[k]] = values.pressure[pair->nodes[k]];
   PetscCall(VecRestoreArray(*nodal, &a));
   PetscCall(PairFieldsDestroy(&values));
-  PetscCall(VecGhostUpdateBegin(*nodal, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostUpdateEnd(*nodal, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(LevelShareVec(*nodal, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -91,7 +90,7 @@ static PetscErrorCode PeakZoom_Private(Expression gap, ElementType type, const P
 static PetscErrorCode PeakHasKink_Private(const SceneObstacle *obstacle, ElementType type, const PetscReal X[],
                                           PetscBool *kink)
 {
-  PetscReal from = -1 - 2 * PEAK_BEYOND, to = 1 + 2 * PEAK_BEYOND, first, last;
+  PetscReal from = -PEAK_BEYOND, to = 1 + PEAK_BEYOND, first, last;
 
   PetscFunctionBeginUser;
   *kink = PETSC_FALSE;

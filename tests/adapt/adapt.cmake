@@ -34,6 +34,7 @@ mortise_scene_test(parabola_fine SCENE r4b CHECK parabola.py RANKS 1 ARGS -adapt
 mortise_scene_test(parabola_half SCENE r4b CHECK parabola_half.py RANKS 1 ARGS -adapt 1.2e-3
   -block_dm_plex_box_lower 0,-2 -block_dm_plex_box_faces 2,2 -block_bc_normal left)
 mortise_scene_test(narrow SCENE r4b CHECK narrow.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -joint_obstacle_gap "(x-0.25)^2/2-0.0025")
+mortise_scene_test(beside CHECK beside.py RANKS 1)
 mortise_scene_test(bounded SCENE r4b CHECK bounded.py RANKS 1 ARGS -order 2 -adapt 4e-2 -joint_obstacle_gap "(x-0.13)^2/2-0.01")
 mortise_scene_test(ball CHECK ball.py RANKS 1 LONG_RANKS 3 ARGS -adapt 0.1)
 mortise_scene_test(roles SCENE two_plates CHECK roles.py RANKS 1 ARGS ${plates} -upper_young 8e15 -adapt 1e-2)
