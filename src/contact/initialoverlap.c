@@ -15,29 +15,6 @@ static const PetscReal OVERLAP_MARGIN = 1. / 3;
 
 enum { MAX_PROBES = 7 }; /* around a node: itself, and two points along each axis */
 
-/* The box around a body, over all ranks. [out] box - lower, upper corner [2][dim] */
-static PetscErrorCode InitialOverlapBodyBox_Private(const Level *level, PetscInt body, PetscReal box[])
-{
-  const PetscInt dim = level->dim;
-  PetscReal      least[6]; // of x and of -x
-
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < 2 * dim; k++) least[k] = PETSC_MAX_REAL;
-  for (PetscInt i = 0; i < level->num_nodes; i++) {
-    if (level->node_body[i] != body) continue;
-    for (PetscInt k = 0; k < dim; k++) {
-      least[k]       = PetscMin(least[k], level->coords[i * dim + k]);
-      least[dim + k] = PetscMin(least[dim + k], -level->coords[i * dim + k]);
-    }
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, least, (PetscMPIInt)(2 * dim), MPIU_REAL, MPIU_MIN, level->comm));
-  for (PetscInt k = 0; k < dim; k++) {
-    box[k]       = least[k];
-    box[dim + k] = -least[dim + k];
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Copies x of each node of the facets that lies in a box, once on this rank.
    [out] x - [*num][dim], room for all */
 static PetscErrorCode InitialOverlapCollectNodes_Private(const Level *level, const Facets *facets,
@@ -183,7 +160,7 @@ PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscI
   GatheredPoints  suspects;
 
   PetscFunctionBeginUser;
-  PetscCall(InitialOverlapBodyBox_Private(level, body, box));
+  PetscCall(LevelGetBox(level, body, box, &box[level->dim]));
   for (PetscInt k = 0; k < level->dim; k++) {
     box[k] += margin;
     box[level->dim + k] -= margin;

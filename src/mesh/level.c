@@ -67,6 +67,27 @@ PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode LevelGetBox(const Level *level, PetscInt body, PetscReal lower[], PetscReal upper[])
+{
+  PetscReal most[6]; // of -x and of x
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < 6; k++) most[k] = -PETSC_MAX_REAL;
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    if (body >= 0 && level->node_body[a] != body) continue;
+    for (PetscInt k = 0; k < level->dim; k++) {
+      most[k]     = PetscMax(most[k], -level->coords[a * level->dim + k]);
+      most[3 + k] = PetscMax(most[3 + k], level->coords[a * level->dim + k]);
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 6, MPIU_REAL, MPIU_MAX, level->comm));
+  for (PetscInt k = 0; k < level->dim; k++) {
+    lower[k] = -most[k];
+    upper[k] = most[3 + k];
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode LevelDestroy(Level *level)
 {
   PetscFunctionBeginUser;

@@ -145,6 +145,9 @@ PetscErrorCode LevelShareVec(Vec v, InsertMode mode);
 /* A matrix between node values as one for bs values at each node. Collective.
    [in] P - AIJ; [out] blocks - AIJ of block size bs, owned by the caller */
 PetscErrorCode LevelCreateBlocks(Mat P, PetscInt bs, Mat *blocks);
+/* The box around the nodes of a body, or of all bodies. Collective.
+   [in] body - negative for all; [out] lower, upper - [dim] */
+PetscErrorCode LevelGetBox(const Level *level, PetscInt body, PetscReal lower[], PetscReal upper[]);
 /* Whether a local node hangs. Not collective. */
 PetscBool LevelNodeHangs(const Level *level, PetscInt node);
 /* Hanging nodes get the values of a continuous function, or the forces on them go to the nodes they hang on.

@@ -382,7 +382,7 @@ static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBoo
     char       at[128];
     PairSum    sum;
 
-    if (pair->spec->type != PAIR_CONTACT || !(estimate->hidden[p].depth > ROUNDING * pair->reach)) continue;
+    if (pair->spec->type != PAIR_CONTACT || !(estimate->hidden[p].value > ROUNDING * pair->reach)) continue;
     PetscCall(PairSumCompute(in->fields, p, &sum));
     if (sum.active) continue;
     *hidden = PETSC_TRUE;
@@ -390,7 +390,7 @@ static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBoo
     PetscCall(NumberWordsVector(between.dim, between.at, at, sizeof(at)));
     PetscCall(WarningAdd(&between,
                          "%s: no node is in contact, but the partner enters a facet by %.3g between nodes at %s",
-                         pair->spec->name, (double)estimate->hidden[p].depth, at));
+                         pair->spec->name, (double)estimate->hidden[p].value, at));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -57,7 +57,7 @@ static PetscErrorCode WordTablePrint_Private(MPI_Comm comm, WordTable *table)
 }
 
 /* "0.866 at (1, 2)"; "-" where there is none. */
-static PetscErrorCode SetupReportExtreme_Private(PetscInt dim, const SetupExtreme *extreme, char text[CELL])
+static PetscErrorCode SetupReportExtreme_Private(PetscInt dim, const Largest *extreme, char text[CELL])
 {
   char at[CELL];
 
@@ -260,7 +260,7 @@ PetscErrorCode SetupReportPrint(VI vi, Solvability solvability, const SetupCheck
 
 /* --- the summary ---------------------------------------------------------------------------------------- */
 
-static void SetupReportAddExtreme_Private(cJSON *object, const char key[], PetscInt dim, const SetupExtreme *extreme)
+static void SetupReportAddExtreme_Private(cJSON *object, const char key[], PetscInt dim, const Largest *extreme)
 {
   cJSON *one = cJSON_AddObjectToObject(object, key);
 

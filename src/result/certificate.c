@@ -157,23 +157,6 @@ static void CertificateAddMoment_Private(PetscInt dim, const PetscReal x[], cons
   for (PetscInt k = 0; k < 3; k++) moment[k] += part[k];
 }
 
-/* Middle of the box around all nodes: moments about it do not depend on where the scene lies. */
-static PetscErrorCode CertificateGetCentre_Private(const Level *level, PetscReal centre[3])
-{
-  PetscReal box[6] = {PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL, PETSC_MIN_REAL};
-
-  PetscFunctionBeginUser;
-  for (PetscInt a = 0; a < level->num_owned; a++) {
-    for (PetscInt k = 0; k < level->dim; k++) {
-      box[k]     = PetscMax(box[k], level->coords[a * level->dim + k]);
-      box[3 + k] = PetscMax(box[3 + k], -level->coords[a * level->dim + k]);
-    }
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 6, MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt k = 0; k < 3; k++) centre[k] = 0.5 * (box[k] - box[3 + k]);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Adds one node's forces to the sums. [in] x - from the centre; F - [FORCE_COUNT][dim], the residual without
    the reaction. */
 static void CertificateAddNode_Private(ModelKind model, const PetscReal x[], const PetscReal F[FORCE_COUNT][3],
@@ -215,13 +198,15 @@ static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, 
   const Level     *level   = vi->level;
   const Support   *support = &vi->support;
   const PetscInt   dim     = level->dim;
-  PetscReal        centre[3];
+  PetscReal        lower[3], upper[3], centre[3];
   const PetscReal *force[FORCE_COUNT], *u;
   PetscReal       *reaction;
   Vec              forces[FORCE_COUNT];
 
   PetscFunctionBeginUser;
-  PetscCall(CertificateGetCentre_Private(level, centre));
+  PetscCall(LevelGetBox(level, -1, lower, upper));
+  for (PetscInt k = 0; k < dim; k++)
+    centre[k] = 0.5 * (upper[k] + lower[k]); // moments about it do not depend on the place
   PetscCall(CertificateCreateForces_Private(fields, forces));
   for (PetscInt i = 0; i < FORCE_COUNT; i++) PetscCall(VecGetArrayRead(forces[i], &force[i]));
   PetscCall(VecGetArrayRead(fields->u, &u));

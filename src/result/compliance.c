@@ -54,15 +54,27 @@ PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], co
   return sum;
 }
 
+void ComplianceDyad(PetscInt dim, const PetscReal n[], PetscReal dyad[CELL_STRESSES])
+{
+  const PetscReal z = dim == 3 ? n[2] : 0;
+
+  dyad[0] = n[0] * n[0];
+  dyad[1] = n[1] * n[1];
+  dyad[2] = z * z;
+  dyad[3] = n[1] * z;
+  dyad[4] = n[0] * z;
+  dyad[5] = n[0] * n[1];
+}
+
 PetscErrorCode ComplianceModulus(Compliance *compliance, PetscInt material, const PetscReal x[], const PetscReal n[],
                                  PetscReal *modulus)
 {
-  const PetscReal  z                 = compliance->scene->dim == 3 ? n[2] : 0;
-  const PetscReal  nn[CELL_STRESSES] = {n[0] * n[0], n[1] * n[1], z * z, n[1] * z, n[0] * z, n[0] * n[1]};
+  PetscReal        nn[CELL_STRESSES];
   const PetscReal *L;
 
   PetscFunctionBeginUser;
   PetscCall(ComplianceGet(compliance, material, x, &L));
+  ComplianceDyad(compliance->scene->dim, n, nn);
   *modulus = 1 / ComplianceEnergy(compliance, L, nn);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

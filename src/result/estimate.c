@@ -102,26 +102,6 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The deepest places of all ranks. Collective. */
-static PetscErrorCode EstimateShareHidden_Private(MPI_Comm comm, PetscInt num, HiddenContact hidden[])
-{
-  PetscMPIInt rank;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_rank(comm, &rank));
-  for (PetscInt p = 0; p < num; p++) {
-    PetscReal   deepest;
-    PetscMPIInt owner;
-
-    PetscCallMPI(MPI_Allreduce(&hidden[p].depth, &deepest, 1, MPIU_REAL, MPIU_MAX, comm));
-    if (!(deepest > 0)) continue;
-    owner = hidden[p].depth == deepest ? rank : PETSC_MPI_INT_MAX;
-    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MIN, comm));
-    PetscCallMPI(MPI_Bcast(&hidden[p], 4, MPIU_REAL, owner, comm));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* This rank's part. */
 static void EstimateSetAged_Private(const Level *level, Estimate e)
 {
@@ -148,7 +128,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCall(ComplianceCreate(level->scene, &compliance));
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
   PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs, e->hidden));
-  PetscCall(EstimateShareHidden_Private(level->comm, fields->vi->num_pairs, e->hidden));
+  PetscCall(LargestReduce(level->comm, level->dim, fields->vi->num_pairs, e->hidden));
   if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->supports));
   EstimateSetAged_Private(level, e);
   if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
@@ -188,7 +168,7 @@ PetscErrorCode EstimateGet(Fields fields, Estimate *estimate)
   PetscCall(FieldsEnergy(fields, energy, &(*estimate)->potential));
   for (PetscInt b = 0; b < num; b++) (*estimate)->norm += 2 * energy[b];
   for (PetscInt p = 0; p < fields->vi->num_pairs && (*estimate)->norm == 0; p++)
-    (*estimate)->missed = (PetscBool)((*estimate)->missed || (*estimate)->hidden[p].depth > 0);
+    (*estimate)->missed = (PetscBool)((*estimate)->missed || (*estimate)->hidden[p].value > 0);
   PetscCall(PetscFree(energy));
   fields->estimate = *estimate;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -3,11 +3,7 @@
 #define MORTISE_ESTIMATE_H
 
 #include "result/fields.h"
-
-/* The deepest place that nodes do not see. */
-typedef struct {
-  PetscReal depth, at[3]; /* depth of the partner in facets without pressure, 0 for none */
-} HiddenContact;
+#include "result/largest.h"
 
 /* eta^2 = sum_T int_T (s* - s) : C^-1 : (s* - s) + (2/pi) h/E' int_e |s* n + lambda|^2 + pi E* / h int_e d^2
    (eq. 15.3), and the oscillation of formulas in space (OscillationAdd()), and the energy between facets and
@@ -23,11 +19,11 @@ struct _n_Estimate {
   PetscReal *aged;     /* parts of the rest: cells of each Level.cell_age; the same on all ranks [MESH_MAX_ADAPTED] */
   PetscReal  signs;    /* L = -2 int lambda . d - 2 int W s + supports + lost:  2 (J_h - J) = |e|^2 + L */
   PetscReal  lost; /* -2 int p* (div u - theta) with the mean stress p*: what u changes its volume by beside theta */
-  PetscReal  supports;   /* -2 int s* n . (u_D - u): the work of moved supports on what u misses of them */
-  PetscReal  norm;       /* |u|_a^2: twice the strain energy */
-  PetscReal  potential;  /* J_h */
-  HiddenContact *hidden; /* the same on all ranks [num_pairs] */
-  PetscBool      missed; /* whether nothing moves while a pair has such a place: all of the solution is missing */
+  PetscReal  supports;  /* -2 int s* n . (u_D - u): the work of moved supports on what u misses of them */
+  PetscReal  norm;      /* |u|_a^2: twice the strain energy */
+  PetscReal  potential; /* J_h */
+  Largest  *hidden; /* depth of the partner in facets without pressure, 0 for none; the same on all ranks [num_pairs] */
+  PetscBool missed; /* whether nothing moves while a pair has such a place: all of the solution is missing */
 };
 typedef struct _n_Estimate *Estimate;
 

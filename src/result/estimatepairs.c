@@ -176,16 +176,8 @@ typedef struct {
   Vec                   squares;    /* eta_T^2 of all cells */
   PetscReal             signs;      /* L of this rank */
   const EstimateFrozen *frozen;     /* or NULL */
-  HiddenContact        *hidden;     /* of each pair, on this rank; NULL with a frozen set [num_pairs] */
+  Largest              *hidden;     /* of each pair, on this rank; NULL with a frozen set [num_pairs] */
 } PairSums;
-
-/* Remembers the deepest place. */
-static void HiddenContactTake_Private(PetscInt dim, PetscReal depth, const PetscReal x[], HiddenContact *hidden)
-{
-  if (depth <= hidden->depth) return;
-  hidden->depth = depth;
-  for (PetscInt k = 0; k < dim; k++) hidden->at[k] = x[k];
-}
 
 /* d^2 at a point. [in] resistance - pi E* / h */
 static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const PairPoint *point,
@@ -207,7 +199,7 @@ static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const P
   }
   sums->signs -= 2 * weight * pressure * depth;
   if (frozen) return state->closed ? depth * depth : 0;
-  if (!state->pushed) HiddenContactTake_Private(dim, depth, state->x, &sums->hidden[p]);
+  if (!state->pushed) LargestTake(&sums->hidden[p], depth, dim, state->x, 0);
   return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;
 }
 
@@ -304,7 +296,7 @@ static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p,
   VectorGather(dim, ElementNumNodes(facet.type), nodes, values->normal, facet.normal);
   PetscCall(HiddenContactFind(&facet, x, &depth, &squared, &width));
   if (!(depth > HIDDEN_DEPTH * ElementLongestEdge(facet.type, dim, X))) PetscFunctionReturn(PETSC_SUCCESS);
-  HiddenContactTake_Private(dim, depth, x, &sums->hidden[p]);
+  LargestTake(&sums->hidden[p], depth, dim, x, 0);
   (void)QuadratureRule(facet.type, 1, xi, &weight); // the point in the middle
   (void)ElementSurface(facet.type, X, xi, NULL, phi, normal);
   PetscCall(ComplianceModulus(sums->compliance, level->cell_material[cell], x, normal, &modulus));
@@ -322,14 +314,14 @@ static PetscErrorCode EstimateAddFacet_Private(Fields fields, PetscInt p, PetscI
   const PairPoints points = pair->points;
   const PetscInt   f      = points->point[begin].facet;
   const PetscBool  open   = (PetscBool)(pair->spec->type == PAIR_CONTACT && sums->hidden);
-  HiddenContact    before = {.depth = 0};
+  Largest          before = {.value = 0};
   PointState       state;
   PetscReal        X[3 * F], size;
 
   PetscFunctionBeginUser;
   if (open) {
     before          = sums->hidden[p];
-    sums->hidden[p] = (HiddenContact){.depth = 0};
+    sums->hidden[p] = (Largest){.value = 0};
   }
   ContactFacetCoordinates(level, &points->facets, f, X);
   size = ElementLongestEdge(points->facets.type[f], level->dim, X);
@@ -338,9 +330,9 @@ static PetscErrorCode EstimateAddFacet_Private(Fields fields, PetscInt p, PetscI
     PetscCall(EstimateAddPoint_Private(fields, p, &points->point[q], size, &state, sums));
   }
   if (!open) PetscFunctionReturn(PETSC_SUCCESS);
-  if (pair->spec->mortar.body < 0 && !state.pushed && sums->hidden[p].depth == 0)
+  if (pair->spec->mortar.body < 0 && !state.pushed && sums->hidden[p].value == 0)
     PetscCall(EstimateAddHidden_Private(fields, p, f, X, values, sums));
-  HiddenContactTake_Private(level->dim, before.depth, before.at, &sums->hidden[p]);
+  LargestTake(&sums->hidden[p], before.value, level->dim, before.at, 0);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -381,7 +373,7 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
 }
 
 PetscErrorCode EstimatePairsAdd(Fields fields, const EstimateFrozen *frozen, Compliance *compliance, PetscReal cell[],
-                                PetscReal *signs, HiddenContact hidden[])
+                                PetscReal *signs, Largest hidden[])
 {
   const Level       *level = fields->vi->level;
   PairSums           sums  = {.compliance = compliance, .frozen = frozen, .hidden = frozen ? NULL : hidden};

@@ -10,6 +10,6 @@
    [out] signs - this rank's part of L; [out] hidden - what this rank knows, zero before; not with a frozen
    set [num_pairs] */
 PetscErrorCode EstimatePairsAdd(Fields fields, const EstimateFrozen *frozen, Compliance *compliance, PetscReal cell[],
-                                PetscReal *signs, HiddenContact hidden[]);
+                                PetscReal *signs, Largest hidden[]);
 
 #endif

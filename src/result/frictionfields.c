@@ -7,7 +7,7 @@
 #include "kernel/vector.h"
 #include "problem/frictionlaw.h"
 #include "result/frictionfields.h"
-#include "result/pairsum.h"
+#include "result/largest.h"
 
 /* Slips below this part of the largest one are roundoff. */
 static const PetscReal STUCK = 1e-9;
@@ -154,31 +154,32 @@ PetscErrorCode FrictionFieldsGet(Fields fields, PetscInt p, PetscReal traction[]
 
 PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, PetscReal *share, PetscReal at[])
 {
-  const VI   vi       = fields->vi;
-  const Pair pair     = vi->pairs[p];
-  PetscReal  areas[2] = {0, 0};
-  PetscBool *slides, *chosen;
+  const VI       vi       = fields->vi;
+  const Pair     pair     = vi->pairs[p];
+  const PetscInt dim      = vi->level->dim;
+  PetscReal      areas[2] = {0, 0};
+  Largest        first    = {.value = 0}; // of equal ones
+  PetscBool     *slides;
 
   PetscFunctionBeginUser;
   *num = 0;
   if (!ScenePairHasFriction(pair->spec)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(pair->num, &slides));
-  PetscCall(PetscCalloc1(vi->num_rows, &chosen));
   PetscCall(PairFindSliding(pair, &vi->support, slides));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
     areas[1] += fields->row_weight[r];
     if (!slides[vi->row_node[r]]) continue;
-    chosen[r] = PETSC_TRUE;
     areas[0] += fields->row_weight[r];
     ++*num;
+    LargestTake(&first, 1, dim, &vi->level->coords[pair->nodes[vi->row_node[r]] * dim], 0);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, areas, 2, MPIU_REAL, MPI_SUM, vi->level->comm));
+  PetscCall(LargestReduce(vi->level->comm, dim, 1, &first));
   *share = areas[1] > 0 ? areas[0] / areas[1] : 0;
-  if (*num) PetscCall(PairSumFindFirstPlace(vi, chosen, at));
+  if (*num) PetscCall(PetscArraycpy(at, first.at, dim));
   PetscCall(PetscFree(slides));
-  PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -8,17 +8,13 @@
 #include "base/compat.h"
 #include "base/json.h"
 #include "result/gapdiscontinuity.h"
-#include "result/pairsum.h"
+#include "result/largest.h"
 
 /* Such an overlap is reported above this part of the largest displacement along the normals. */
 static const PetscReal SHOWS = 0.1;
 /* Gaps are differences of coordinates, gaps and radii. Below this part of them an overlap is their rounding:
    a mean over some hundred points, with weights of either sign. */
 static const PetscReal GAP_ROUNDING = 256 * PETSC_MACHINE_EPSILON;
-/* Overlaps that differ by less than this part count as equal: the reported place does not depend on the
-   number of ranks. */
-static const PetscReal SAME_OVERLAP = 1e-9;
-
 /* How far the mean gap of a row in contact is below all gaps around its node, 0 of other rows. */
 static PetscReal GapDiscontinuityGetRow_Private(Fields fields, PetscInt p, PetscInt r)
 {
@@ -57,35 +53,25 @@ static PetscErrorCode GapDiscontinuityGetSizes_Private(Fields fields, PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The first place by coordinates where the overlap is the largest. */
-static PetscErrorCode GapDiscontinuityGetPlace_Private(Fields fields, PetscInt p, PetscReal largest, PetscReal at[])
-{
-  const VI   vi = fields->vi;
-  PetscBool *chosen;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(vi->num_rows, &chosen));
-  for (PetscInt r = 0; r < vi->num_rows; r++) // none of other pairs: their overlap is 0
-    chosen[r] = (PetscBool) !(GapDiscontinuityGetRow_Private(fields, p, r) < (1 - SAME_OVERLAP) * largest);
-  PetscCall(PairSumFindFirstPlace(vi, chosen, at));
-  PetscCall(PetscFree(chosen));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode GapDiscontinuityFind(Fields fields, PetscInt p, PetscBool *shows, PetscReal *overlap, PetscReal at[])
 {
-  const VI  vi         = fields->vi;
-  PetscReal largest[3] = {0, 0, 0}; /* overlap, displacement, numbers */
+  const VI       vi      = fields->vi;
+  const PetscInt dim     = vi->level->dim;
+  PetscReal      size[2] = {0, 0}; /* displacement, numbers */
+  Largest        found   = {.value = 0};
 
   PetscFunctionBeginUser;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (vi->row_pair[r] == p) largest[0] = PetscMax(largest[0], GapDiscontinuityGetRow_Private(fields, p, r));
+    if (vi->row_pair[r] == p)
+      LargestTake(&found, GapDiscontinuityGetRow_Private(fields, p, r), dim,
+                  &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim], 0);
   }
-  PetscCall(GapDiscontinuityGetSizes_Private(fields, p, &largest[1], &largest[2]));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 3, MPIU_REAL, MPI_MAX, vi->level->comm));
-  *overlap = largest[0] > GAP_ROUNDING * largest[2] ? largest[0] : 0;
-  *shows   = (PetscBool)(*overlap > SHOWS * largest[1]);
-  if (*shows) PetscCall(GapDiscontinuityGetPlace_Private(fields, p, largest[0], at));
+  PetscCall(LargestReduce(vi->level->comm, dim, 1, &found));
+  PetscCall(GapDiscontinuityGetSizes_Private(fields, p, &size[0], &size[1]));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 2, MPIU_REAL, MPI_MAX, vi->level->comm));
+  *overlap = found.value > GAP_ROUNDING * size[1] ? found.value : 0;
+  *shows   = (PetscBool)(*overlap > SHOWS * size[0]);
+  if (*shows) PetscCall(PetscArraycpy(at, found.at, dim));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

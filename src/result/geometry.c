@@ -23,19 +23,6 @@ static PetscReal GeometryProduct_Private(const Compliance *compliance, const Pet
   return (ComplianceEnergy(compliance, L, sum) - ComplianceEnergy(compliance, L, difference)) / 4;
 }
 
-/* The dyad of a unit vector, xx,yy,zz,yz,xz,xy. */
-static void GeometryDyad_Private(PetscInt dim, const PetscReal n[], PetscReal dyad[CELL_STRESSES])
-{
-  const PetscReal z = dim == 3 ? n[2] : 0;
-
-  dyad[0] = n[0] * n[0];
-  dyad[1] = n[1] * n[1];
-  dyad[2] = z * z;
-  dyad[3] = n[1] * z;
-  dyad[4] = n[0] * z;
-  dyad[5] = n[0] * n[1];
-}
-
 /* The cells and the values at their nodes. */
 typedef struct {
   const Level      *level;
@@ -63,7 +50,7 @@ static PetscErrorCode SurfaceEvaluate_Private(const Surface *surface, PetscInt f
       s[k] += phi[i] * PetscRealPart(NodalStressAt(&surface->stress, nodes[i], material)[k]);
   }
   PetscCall(ComplianceGet(surface->compliance, material, x, &L));
-  GeometryDyad_Private(dim, n, dyad);
+  ComplianceDyad(dim, n, dyad);
   for (PetscInt k = 0; k < CELL_STRESSES; k++) normal += (k < 3 ? 1 : 2) * dyad[k] * s[k];
   along    = GeometryProduct_Private(surface->compliance, L, s, dyad);
   *density = ComplianceEnergy(surface->compliance, L, s) / 2 - normal * along;

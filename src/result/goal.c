@@ -78,26 +78,6 @@ static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The diagonal of the box around a body. Collective. */
-static PetscErrorCode GoalGetBodySize_Private(const Level *level, PetscInt body, PetscReal *size)
-{
-  PetscReal box[2 * CELL_MAX_DIM], squared = 0;
-
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < 2 * CELL_MAX_DIM; k++) box[k] = PETSC_NINFINITY;
-  for (PetscInt a = 0; a < level->num_owned; a++) {
-    if (level->node_body[a] != body) continue;
-    for (PetscInt k = 0; k < level->dim; k++) {
-      box[k]                = PetscMax(box[k], level->coords[a * level->dim + k]);
-      box[CELL_MAX_DIM + k] = PetscMax(box[CELL_MAX_DIM + k], -level->coords[a * level->dim + k]);
-    }
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 2 * CELL_MAX_DIM, MPIU_REAL, MPIU_MAX, level->comm));
-  for (PetscInt k = 0; k < level->dim; k++) squared += PetscSqr(box[k] + box[CELL_MAX_DIM + k]);
-  *size = PetscSqrtReal(squared);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* d von Mises / d stress; zero where there is no stress. [in] stress - [6]; [out] gradient - [6] */
 static void GoalGetMisesGradient_Private(const PetscReal stress[], PetscReal gradient[])
 {
@@ -181,7 +161,7 @@ static PetscErrorCode GoalAddCells_Private(StressSums *to, PetscInt material)
 static PetscErrorCode GoalSetProbe_Private(const SceneProbe *probe, Goal *goal)
 {
   Level     *level = goal->fields->vi->level;
-  PetscReal  u[3], stress[CELL_STRESSES], xi[3], size = 0, body = 0;
+  PetscReal  u[3], stress[CELL_STRESSES], xi[3], lower[3], upper[3], size = 0;
   PetscBool  found;
   PetscInt   c, material = -1;
   Vec        local;
@@ -194,10 +174,10 @@ static PetscErrorCode GoalSetProbe_Private(const SceneProbe *probe, Goal *goal)
   if (c >= 0) material = level->cell_material[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &material, 1, MPIU_INT, MPI_MAX, level->comm));
   PetscCall(GoalFindCells_Private(level, probe->body, probe->at, NULL, &size));
-  PetscCall(GoalGetBodySize_Private(level, probe->body, &body));
+  PetscCall(LevelGetBox(level, probe->body, lower, upper));
   PetscCall(PetscArraycpy(goal->at, probe->at, 3));
   goal->body   = probe->body;
-  goal->radius = PetscMax(PROBE_RADIUS * body, CELL_SIZES * size);
+  goal->radius = PetscMax(PROBE_RADIUS * VectorDistance(level->dim, upper, lower), CELL_SIZES * size);
   PetscCall(LevelCreateVec(level, level->dim, &goal->q));
   PetscCall(VecGhostGetLocalForm(goal->q, &local));
   PetscCall(VecGetArray(local, &to.sums));

@@ -2,9 +2,8 @@
 #include "result/largest.h"
 #include "base/compat.h"
 
-/* Values that differ by less than this part have the same place told on any number of ranks: the first by
-   coordinates. */
-static const PetscReal SAME_INDICATOR = 1e-9;
+/* Values that differ by less than this part are equal. */
+static const PetscReal SAME_VALUE = 1e-9;
 
 enum {
   BINS_OF_OCTAVE = 16, /* a bin is 4.4 per cent wide */
@@ -23,15 +22,17 @@ struct _n_LargestBut {
 
 void LargestTake(Largest *largest, PetscReal value, PetscInt dim, const PetscReal at[], PetscReal owner)
 {
-  PetscBool first = (PetscBool)(value > largest->value * (1 + SAME_INDICATOR));
+  const PetscReal margin = SAME_VALUE * PetscAbsReal(largest->value);
+  PetscBool       first  = (PetscBool)(value > largest->value + margin);
 
-  if (!(value > largest->value * (1 - SAME_INDICATOR))) return;
+  if (!(value > largest->value - margin)) return;
   for (PetscInt k = 0, equal = 1; k < dim && equal && !first; k++) {
     first = (PetscBool)(at[k] < largest->at[k]);
     equal = at[k] == largest->at[k];
   }
+  largest->value = PetscMax(largest->value, value);
   if (!first) return;
-  *largest = (Largest){.value = value, .owner = owner};
+  largest->owner = owner;
   for (PetscInt k = 0; k < dim; k++) largest->at[k] = at[k];
 }
 

@@ -1,17 +1,17 @@
-/* largest.h -- the largest of many values with its place, and quantiles. Private to
-   this module. */
+/* largest.h -- the largest of many values with its place, and quantiles. */
 #ifndef MORTISE_LARGEST_H
 #define MORTISE_LARGEST_H
 
 #include <petscsys.h>
 
-/* A value, its place, and the number of the body or pair that it belongs to; a value below 0 for none. */
+/* A value, its place, and the number of the body or pair that it belongs to. Before the first one the value
+   is that below which none counts, such as -PETSC_MAX_REAL. */
 typedef struct {
   PetscReal value, at[3], owner;
 } Largest;
 
-/* Takes a value if it is larger, or equal but for rounding at a place that comes first by coordinates. Not
-   collective. */
+/* Takes a value that is larger, or equal but for rounding. Of equal ones the place is the first by
+   coordinates: it does not depend on the number of ranks. NAN is omitted. Not collective. */
 void LargestTake(Largest *largest, PetscReal value, PetscInt dim, const PetscReal at[], PetscReal owner);
 /* The largest of all ranks. Collective. [in] num - of values; [in,out] largest - [num] */
 PetscErrorCode LargestReduce(MPI_Comm comm, PetscInt dim, PetscInt num, Largest largest[]);

@@ -1,6 +1,7 @@
 /* pairfields.c -- rows of the inequality as values at the nodes of a nonmortar side. */
 #include "contact/pairpoints.h"
 #include "result/fields.h"
+#include "result/sidenodes.h"
 #include "base/compat.h"
 
 /* Values at removed nodes. Their dual functions were added to those of neighbours a with weights w_ac, D_ac =
@@ -78,28 +79,15 @@ static PetscErrorCode PairMarkHanging_Private(const Pair pair, PetscBool **hangs
 {
   Level        *level  = pair->level;
   const Facets *facets = &pair->points->facets;
-  PetscScalar  *mark;
-  Vec           marks, local;
+  PetscInt      num, *nodes;
 
   PetscFunctionBeginUser;
   *hangs = NULL;
   if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(level->num_owned + 1, hangs)); // not NULL where a rank has no nodes
-  PetscCall(LevelCreateVec(level, 1, &marks));
-  PetscCall(VecGhostGetLocalForm(marks, &local));
-  PetscCall(VecGetArray(local, &mark));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
-      mark[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
-  }
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(marks, &local));
-  PetscCall(LevelShareVec(marks, MAX_VALUES));
-  PetscCall(VecGetArray(marks, &mark));
-  for (PetscInt i = 0; i < level->num_owned; i++)
-    (*hangs)[i] = (PetscBool)(PetscRealPart(mark[i]) > 0 && LevelNodeHangs(level, i));
-  PetscCall(VecRestoreArray(marks, &mark));
-  PetscCall(VecDestroy(&marks));
+  PetscCall(SideNodesCreate(level, facets, &num, &nodes));
+  for (PetscInt i = 0; i < num; i++) (*hangs)[nodes[i]] = LevelNodeHangs(level, nodes[i]);
+  PetscCall(PetscFree(nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -5,15 +5,13 @@
    side. */
 #include "kernel/vector.h"
 #include "result/pairsum.h"
+#include "result/largest.h"
 #include "base/compat.h"
 
 /* What is added over rows; what is maximised (minima by their negatives). */
 enum { ADD_FORCE = 0, ADD_NORMAL = 3, ADD_AREA, ADD_CENTRE, ADD_ACTIVE = ADD_CENTRE + 3, ADD_COUNT };
-enum { MAX_PRESSURE, MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
+enum { MAX_COVERED, MAX_CLOSED, MAX_LOWER, MAX_UPPER = MAX_LOWER + 3, MAX_COUNT = MAX_UPPER + 3 };
 
-/* Pressures that differ by less than this part are equal. Then symmetric scenes have the same place of the
-   largest one on any number of ranks. */
-static const PetscReal SAME_PRESSURE = 1e-9;
 /* Where both sides end in the same place, their facets may cut corners of each other. At a round rim this is
    the sagitta of an edge, on coarse meshes a twelfth of a cell. Neither is then an edge that presses into the
    other. */
@@ -26,7 +24,7 @@ PetscBool PairSumEndsPartner(const Pair pair, PetscInt a)
 
 /* One row: tied tangential rows only have a force. */
 static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal slack, PetscReal sums[],
-                                  PetscReal largest[])
+                                  PetscReal largest[], Largest *peak)
 {
   const VI         vi   = fields->vi;
   const Pair       pair = vi->pairs[vi->row_pair[r]];
@@ -43,7 +41,7 @@ static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, P
   if (fields->row_status[r] == STATUS_OPEN) return;
   if (lambda > 0) sums[ADD_AREA] += weight;
   sums[ADD_ACTIVE] += 1;
-  largest[MAX_PRESSURE] = PetscMax(largest[MAX_PRESSURE], lambda);
+  LargestTake(peak, lambda, dim, x, 0);
   if (!PairSumEndsPartner(pair, a)) largest[MAX_COVERED] = PetscMax(largest[MAX_COVERED], lambda);
   for (PetscInt k = 0; k < dim; k++) {
     largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -x[k]);
@@ -103,48 +101,6 @@ static PetscErrorCode PairSumExtend_Private(Fields fields, PetscInt p, PetscReal
   PetscCall(VecRestoreArrayRead(weights[1], &open));
   PetscCall(VecRestoreArray(weights[0], &closed));
   for (PetscInt i = 0; i < 2; i++) PetscCall(VecDestroy(&weights[i]));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode PairSumFindFirstPlace(VI vi, const PetscBool chosen[], PetscReal at[])
-{
-  const PetscInt dim = vi->level->dim;
-
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) {
-    PetscReal least = PETSC_INFINITY;
-
-    for (PetscInt r = 0; r < vi->num_rows; r++) {
-      const PetscReal *x;
-      PetscBool        first = PETSC_TRUE;
-
-      if (!chosen[r]) continue;
-      x = &vi->level->coords[vi->pairs[vi->row_pair[r]]->nodes[vi->row_node[r]] * dim];
-      for (PetscInt j = 0; j < k; j++) first = (PetscBool)(first && x[j] == at[j]);
-      if (first) least = PetscMin(least, x[k]);
-    }
-    PetscCallMPI(MPI_Allreduce(&least, &at[k], 1, MPIU_REAL, MPI_MIN, vi->level->comm));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The place of the largest pressure; of several the first by coordinates. */
-static PetscErrorCode PairSumFindPressurePlace_Private(Fields fields, PetscInt p, const PetscReal lambda[],
-                                                       PetscReal max, PetscReal at[])
-{
-  const VI   vi = fields->vi;
-  PetscBool *chosen;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(vi->num_rows, &chosen));
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscBool closed =
-        (PetscBool)(vi->row_pair[r] == p && vi->row_direction[r] == 0 && fields->row_status[r] != STATUS_OPEN);
-
-    chosen[r] = (PetscBool)(closed && !(lambda[r] < max * (1 - SAME_PRESSURE)));
-  }
-  PetscCall(PairSumFindFirstPlace(vi, chosen, at));
-  PetscCall(PetscFree(chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -252,6 +208,7 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   const VI         vi              = fields->vi;
   PetscReal        sums[ADD_COUNT] = {0}, largest[MAX_COUNT];
   const PetscReal *lambda = NULL, *slack = NULL;
+  Largest          peak = {.value = -PETSC_MAX_REAL, .at = {NAN, NAN, NAN}};
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < MAX_COUNT; i++) largest[i] = PETSC_NINFINITY;
@@ -260,15 +217,16 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
     PetscCall(VecGetArrayRead(fields->slack, &slack));
   }
   for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (vi->row_pair[r] == p) PairSumAddRow_Private(fields, r, lambda[r], slack[r], sums, largest);
+    if (vi->row_pair[r] == p) PairSumAddRow_Private(fields, r, lambda[r], slack[r], sums, largest, &peak);
   }
   if (fields->lambda) PetscCall(PairSumExtend_Private(fields, p, largest));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, ADD_COUNT, MPIU_REAL, MPI_SUM, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscCall(LargestReduce(vi->level->comm, vi->level->dim, 1, &peak));
   sum->normal_force = sums[ADD_NORMAL];
   sum->area         = sums[ADD_AREA];
   sum->active       = (PetscInt)sums[ADD_ACTIVE];
-  sum->max_pressure = sum->active ? largest[MAX_PRESSURE] : 0.0;
+  sum->max_pressure = !sum->active ? 0.0 : peak.value > -PETSC_MAX_REAL ? peak.value : NAN; // no number, no largest one
   sum->max_covered  = PetscMax(largest[MAX_COVERED], 0);
   sum->min_gap      = largest[MAX_CLOSED] > PETSC_NINFINITY ? -largest[MAX_CLOSED] : NAN; // no node, no gap
   for (PetscInt k = 0; k < 3; k++) {
@@ -276,15 +234,13 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
     sum->lower[k]           = sum->active ? -largest[MAX_LOWER + k] : NAN;
     sum->upper[k]           = sum->active ? largest[MAX_UPPER + k] : NAN;
     sum->centre[k]          = sum->active ? sums[ADD_CENTRE + k] / sums[ADD_NORMAL] : NAN;
-    sum->max_pressure_at[k] = NAN;
+    sum->max_pressure_at[k] = peak.at[k];
   }
   PetscCall(PairSumSetTieForce_Private(fields, p, sum));
   if (vi->scene->model == MODEL_AXISYMMETRIC) { /* the resultant of a ring acts along its axis */
     sum->force[0] = 0;
     if (sum->active) sum->centre[0] = 0;
   }
-  if (sum->active)
-    PetscCall(PairSumFindPressurePlace_Private(fields, p, lambda, sum->max_pressure, sum->max_pressure_at));
   PetscCall(PairSumGetMomentImbalance_Private(fields, p, sum));
   if (fields->lambda) {
     PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));

@@ -22,10 +22,6 @@ typedef struct {
 
 /* All NAN, for a pair nothing is known of; the sum of what is known. Collective. */
 PairSum PairSumUnknown(void);
-/* Of the nodes of chosen rows the first by coordinates, found one coordinate after the other. Collective.
-   [in] chosen - [vi->num_rows];
-   [out] at - [dim], PETSC_INFINITY if no row is chosen on any rank */
-PetscErrorCode PairSumFindFirstPlace(VI vi, const PetscBool chosen[], PetscReal at[]);
 /* Whether the partner ends within a facet around multiplier node a, and not where its own side does. */
 PetscBool      PairSumEndsPartner(const Pair pair, PetscInt a);
 PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum);

@@ -4,29 +4,6 @@
 #include "base/usererror.h"
 #include "base/compat.h"
 
-/* Box around a body, for the sentence to a user whose probe lies outside. */
-static PetscErrorCode ProbesGetBodyBox_Private(const Level *level, PetscInt body, PetscReal lower[3],
-                                               PetscReal upper[3])
-{
-  PetscReal box[6];
-
-  PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < 6; k++) box[k] = PETSC_NINFINITY;
-  for (PetscInt a = 0; a < level->num_owned; a++) {
-    if (level->node_body[a] != body) continue;
-    for (PetscInt k = 0; k < level->dim; k++) {
-      box[k]     = PetscMax(box[k], -level->coords[a * level->dim + k]);
-      box[3 + k] = PetscMax(box[3 + k], level->coords[a * level->dim + k]);
-    }
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, box, 6, MPIU_REAL, MPI_MAX, level->comm));
-  for (PetscInt k = 0; k < 3; k++) {
-    lower[k] = -box[k];
-    upper[k] = box[3 + k];
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* "1,2" */
 static PetscErrorCode ProbesPrintPoint_Private(PetscInt dim, const PetscReal x[], char text[], size_t len)
 {
@@ -54,7 +31,7 @@ static PetscErrorCode ProbesCheckPath_Private(Scene scene, Level *level, const S
     PetscCall(LevelLocate(level, path->body, at, &cell, xi, &found));
   }
   if (found) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ProbesGetBodyBox_Private(level, path->body, lower, upper));
+  PetscCall(LevelGetBox(level, path->body, lower, upper));
   PetscCall(ProbesPrintPoint_Private(level->dim, lower, low, sizeof(low)));
   PetscCall(ProbesPrintPoint_Private(level->dim, upper, high, sizeof(high)));
   PetscCall(UserErrorRaise(scene->comm,
@@ -78,7 +55,7 @@ PetscErrorCode ProbesCheck(Scene scene, Mesh mesh)
 
     PetscCall(LevelLocate(level, probe->body, probe->at, &cell, xi, &found));
     if (found) continue;
-    PetscCall(ProbesGetBodyBox_Private(level, probe->body, lower, upper));
+    PetscCall(LevelGetBox(level, probe->body, lower, upper));
     PetscCall(ProbesPrintPoint_Private(level->dim, probe->at, at, sizeof(at)));
     PetscCall(ProbesPrintPoint_Private(level->dim, lower, low, sizeof(low)));
     PetscCall(ProbesPrintPoint_Private(level->dim, upper, high, sizeof(high)));

@@ -4,43 +4,25 @@
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "result/setupcheck.h"
+#include "result/sidenodes.h"
 
 enum {
   MARKED = 30,
   DEGREE = 3
 }; /* sides that an integer of 32 bits can tell apart; added to twice the order of cells and facets */
+/* Gaps below this part of the reach are rounding of positions. */
+static const PetscReal ROUNDING = 1e-12;
 /* Scaled Jacobians of the corners of an equilateral triangle and of a regular tetrahedron. */
 static const PetscReal TRIANGLE_CORNER = 0.86602540378443865, TETRAHEDRON_CORNER = 0.70710678118654752;
 
-/* Keeps the extreme of all ranks. Collective. [in] sign - 1 for the least, -1 for the largest */
-static PetscErrorCode SetupExtremeReduce_Private(MPI_Comm comm, PetscReal sign, SetupExtreme *extreme)
+/* The extreme of all ranks. Collective. [in] sign - -1 for the least; [in,out] extreme - the largest of sign
+   times the value on this rank; the value, NAN for none */
+static PetscErrorCode SetupExtremeReduce_Private(const Level *level, PetscReal sign, Largest *extreme)
 {
-  const PetscReal mine = extreme->value == extreme->value ? sign * extreme->value : PETSC_MAX_REAL;
-  PetscReal       best = mine;
-  PetscMPIInt     rank, holder;
-
   PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Comm_rank(comm, &rank));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPIU_REAL, MPI_MIN, comm));
-  holder = mine == best ? rank : PETSC_MPI_INT_MAX;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &holder, 1, MPI_INT, MPI_MIN, comm));
-  PetscCallMPI(MPI_Bcast(extreme->at, 3, MPIU_REAL, holder, comm));
-  extreme->value = best < PETSC_MAX_REAL ? sign * best : NAN;
+  PetscCall(LargestReduce(level->comm, level->dim, 1, extreme));
+  extreme->value = extreme->value > -PETSC_MAX_REAL ? sign * extreme->value : NAN;
   PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Takes a value at a place where it is more extreme. */
-static void SetupExtremeAdd_Private(SetupExtreme *extreme, PetscReal sign, PetscReal value, PetscInt dim,
-                                    const PetscReal at[])
-{
-  if (!(value == value) || sign * value >= sign * extreme->value) return; // NAN compares false
-  extreme->value = value;
-  for (PetscInt k = 0; k < dim; k++) extreme->at[k] = at[k];
-}
-
-static SetupExtreme SetupExtremeNone_Private(PetscReal sign)
-{
-  return (SetupExtreme){.value = sign * PETSC_MAX_REAL};
 }
 
 /* --- bodies --------------------------------------------------------------------------------------------- */
@@ -102,9 +84,8 @@ static void SetupBodyAddCell_Private(VI vi, PetscInt c, SetupBody *body)
     for (PetscInt k = 0; k < dim; k++) middle[k] += X[i * dim + k] / ElementNumNodes(linear);
     shape = PetscMin(shape, SetupCornerShape_Private(linear, X, dim, i));
   }
-  SetupExtremeAdd_Private(&body->shape, 1, shape, dim, middle);
-  SetupExtremeAdd_Private(&body->aspect, -1, ElementLongestEdge(linear, dim, X) / ElementShortestEdge(linear, dim, X),
-                          dim, middle);
+  LargestTake(&body->shape, -shape, dim, middle, 0);
+  LargestTake(&body->aspect, ElementLongestEdge(linear, dim, X) / ElementShortestEdge(linear, dim, X), dim, middle, 0);
   body->cells++;
 }
 
@@ -149,8 +130,8 @@ static PetscErrorCode SetupBodyReduce_Private(VI vi, SetupBody *body)
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 7, MPIU_REAL, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, body->lower, 3, MPIU_REAL, MPI_MIN, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, body->upper, 3, MPIU_REAL, MPI_MAX, comm));
-  PetscCall(SetupExtremeReduce_Private(comm, 1, &body->shape));
-  PetscCall(SetupExtremeReduce_Private(comm, -1, &body->aspect));
+  PetscCall(SetupExtremeReduce_Private(vi->level, -1, &body->shape));
+  PetscCall(SetupExtremeReduce_Private(vi->level, 1, &body->aspect));
   body->cells  = counts[0];
   body->nodes  = counts[1];
   body->volume = sums[0];
@@ -168,8 +149,8 @@ static PetscErrorCode SetupBodiesCompute_Private(VI vi, SetupBody bodies[])
   PetscFunctionBeginUser;
   for (PetscInt b = 0; b < vi->scene->num_bodies; b++) {
     bodies[b] = (SetupBody){.pieces = ComponentsOfBody(&modes->components, b),
-                            .shape  = SetupExtremeNone_Private(1),
-                            .aspect = SetupExtremeNone_Private(-1)};
+                            .shape  = {.value = -PETSC_MAX_REAL},
+                            .aspect = {.value = -PETSC_MAX_REAL}};
     for (PetscInt k = 0; k < 3; k++) {
       bodies[b].lower[k] = PETSC_MAX_REAL;
       bodies[b].upper[k] = -PETSC_MAX_REAL;
@@ -271,32 +252,18 @@ static PetscErrorCode SetupSideCompute_Private(VI vi, SetupSide *side)
 
 PetscErrorCode SetupCheckMarkNodes(VI vi, const SetupCheck *check, PetscReal **bits)
 {
-  Vec          flags, local;
-  PetscScalar *flag;
-
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(vi->level->num_owned, bits));
-  PetscCall(LevelCreateVec(vi->level, 1, &flags));
   for (PetscInt s = 0; s < PetscMin(check->num_sides, MARKED); s++) {
-    Facets facets;
+    PetscInt num, *nodes;
+    Facets   facets;
 
     PetscCall(LevelGetFacets(vi->level, vi->scene, check->sides[s].body, check->sides[s].side, &facets));
-    PetscCall(VecGhostGetLocalForm(flags, &local));
-    PetscCall(VecZeroEntries(local));
-    PetscCall(VecGetArray(local, &flag));
-    for (PetscInt f = 0; f < facets.num; f++)
-      for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++)
-        flag[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i]] = 1;
-    PetscCall(VecRestoreArray(local, &flag));
-    PetscCall(VecGhostRestoreLocalForm(flags, &local));
+    PetscCall(SideNodesCreate(vi->level, &facets, &num, &nodes));
+    for (PetscInt i = 0; i < num; i++) (*bits)[nodes[i]] += (PetscReal)(1 << s);
+    PetscCall(PetscFree(nodes));
     PetscCall(FacetsDestroy(&facets));
-    PetscCall(LevelShareVec(flags, MAX_VALUES));
-    PetscCall(VecGetArray(flags, &flag));
-    for (PetscInt a = 0; a < vi->level->num_owned; a++)
-      if (PetscRealPart(flag[a]) > 0) (*bits)[a] += (PetscReal)(1 << s);
-    PetscCall(VecRestoreArray(flags, &flag));
   }
-  PetscCall(VecDestroy(&flags));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -310,17 +277,18 @@ static PetscErrorCode SetupPairCompute_Private(const Pair pair, SetupPair *setup
   *setup = (SetupPair){.nodes       = pair->num_multipliers + pair->num_removed + pair->num_uncovered,
                        .facing      = pair->num_multipliers + pair->num_removed,
                        .multipliers = pair->num_multipliers,
-                       .least       = SetupExtremeNone_Private(1),
-                       .largest     = SetupExtremeNone_Private(-1),
+                       .least       = {.value = -PETSC_MAX_REAL},
+                       .largest     = {.value = -PETSC_MAX_REAL},
                        .reach       = pair->reach};
   for (PetscInt a = 0; a < pair->num; a++) {
-    const PetscReal *x = &level->coords[pair->nodes[a] * level->dim], gap = pair->gap[a] / pair->share[a];
+    const PetscReal *x = &level->coords[pair->nodes[a] * level->dim], own = pair->gap[a] / pair->share[a];
+    const PetscReal  gap = PetscAbsReal(own) > ROUNDING * pair->reach ? own : 0;
 
-    SetupExtremeAdd_Private(&setup->least, 1, gap, level->dim, x);
-    SetupExtremeAdd_Private(&setup->largest, -1, gap, level->dim, x);
+    LargestTake(&setup->least, -gap, level->dim, x, 0);
+    LargestTake(&setup->largest, gap, level->dim, x, 0);
   }
-  PetscCall(SetupExtremeReduce_Private(level->comm, 1, &setup->least));
-  PetscCall(SetupExtremeReduce_Private(level->comm, -1, &setup->largest));
+  PetscCall(SetupExtremeReduce_Private(level, -1, &setup->least));
+  PetscCall(SetupExtremeReduce_Private(level, 1, &setup->largest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

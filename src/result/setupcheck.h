@@ -2,21 +2,17 @@
 #ifndef MORTISE_SETUPCHECK_H
 #define MORTISE_SETUPCHECK_H
 
+#include "result/largest.h"
 #include "rigid/solvability.h"
 
-/* An extreme value and its place; NAN where there is none. */
 typedef struct {
-  PetscReal value, at[3];
-} SetupExtreme;
-
-typedef struct {
-  PetscInt     cells, nodes, pieces;
-  PetscInt     motions;             /* rigid motions that its supports leave */
-  PetscReal    volume;              /* area times thickness in a plane, of the whole ring where axisymmetric */
-  PetscReal    lower[3], upper[3];  /* box around its nodes */
-  SetupExtreme shape;               /* least scaled Jacobian of a corner: 1 right or equilateral, 0 flat */
-  SetupExtreme aspect;              /* largest ratio of two edges of a cell */
-  PetscReal    force[3], moment[3]; /* of all loads, moment about the origin; in a plane moment[2], axisymmetric none */
+  PetscInt  cells, nodes, pieces;
+  PetscInt  motions;            /* rigid motions that its supports leave */
+  PetscReal volume;             /* area times thickness in a plane, of the whole ring where axisymmetric */
+  PetscReal lower[3], upper[3]; /* box around its nodes */
+  Largest   shape;  /* least scaled Jacobian of a corner: 1 right or equilateral, 0 flat; NAN without cells */
+  Largest   aspect; /* largest ratio of two edges of a cell */
+  PetscReal force[3], moment[3]; /* of all loads, moment about the origin; in a plane moment[2], axisymmetric none */
 } SetupBody;
 
 /* What a side is named for, as bits. */
@@ -42,9 +38,9 @@ typedef struct {
 } SetupSide;
 
 typedef struct {
-  PetscInt     nodes, facing, multipliers; /* of the nonmortar side; with a partner within reach; with a multiplier */
-  SetupExtreme least, largest;             /* nodal gaps before any motion */
-  PetscReal    reach;
+  PetscInt  nodes, facing, multipliers; /* of the nonmortar side; with a partner within reach; with a multiplier */
+  Largest   least, largest;             /* nodal gaps before any motion */
+  PetscReal reach;
 } SetupPair;
 
 typedef struct {

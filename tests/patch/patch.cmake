@@ -16,6 +16,7 @@ mortise_scene_test(curved CHECK curved.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(cylinders CHECK cylinders.py RANKS 1 LONG_RANKS 3)
 mortise_mistake(circle SCENE sectors SAYS "ab, bc, ac" "cycle" "exchange"
   ARGS -ac_nonmortar c:left -ac_mortar a:bottom)
+mortise_scene_test(tied_pulled CHECK tied_pulled.py RANKS 1 3)
 mortise_scene_test(tied_apart CHECK tied_apart.py RANKS 1 LONG_RANKS 3 ARGS -cross_check)
 mortise_scene_test(tied_apart_quadratic SCENE tied_apart CHECK tied_apart.py RANKS 1 LONG_RANKS 3 ARGS -cross_check -order 2)
 mortise_scene_test(tied_apart_triangles SCENE tied_apart CHECK tied_apart.py

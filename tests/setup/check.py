@@ -11,8 +11,8 @@ PLATES = {  # two unit squares, y from 0 to 1 and from -1 to 0; tractions (3, -4
 }
 
 
-def checked(run, options, name, *codes):
-    case = Run(run.program, run.mpiexec, run.ranks, run.folder / name, [*options, "-check"])
+def checked(run, options, name, *codes, ranks=None):
+    case = Run(run.program, run.mpiexec, ranks or run.ranks, run.folder / name, [*options, "-check"])
     same(f"{name}: exit code", case.exit, 0)
     case.require_warned(codes)
     case.require_clean()
@@ -42,6 +42,14 @@ def judge(run):
     joint = check["pairs"]["joint"]
     same("nodes of the pair", (joint["nodes"], joint["facing"], joint["multipliers"]), (65, 65, 65))
     near("overlap", joint["initial_overlap"], 0, absolute=1e-12)
+    several = checked(run, run.arguments, "several", ranks=3).summary["check"]
+    for body in PLATES:  # all cells are alike: the first by coordinates is named, on any number of ranks
+        for extreme in ("worst_shape", "largest_aspect_ratio"):
+            places = [each["bodies"][body][extreme]["at"] for each in (check, several)]
+            near(f"{body}: place of {extreme}", places[1], places[0], absolute=1e-12)
+    for extreme in ("least_gap", "largest_gap"):
+        for each in (check, several):
+            near(f"place of {extreme}", each["pairs"]["joint"][extreme]["at"], [0, 0], absolute=1e-12)
 
     fields = plates.fields()
     bits, points = fields["sides"][()].ravel().astype(int), fields["points"][()]
