@@ -154,15 +154,16 @@ static PetscErrorCode OutputAddFields_Private(Output output, OutputSeries series
   PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1, .series = series},
                                      "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
+  PetscCall(OutputGetPath_Private(vi->scene, "paths", ".csv", path));
+  if (vi->scene->num_paths)
+    PetscCall(PathTableWrite(fields, &output->files, path));
+  else if (output->rank == 0)
+    PetscCall(FileSetRemove(&output->files, path)); // before a pair of that name writes its own
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(OutputGetPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(CSVWritePair(fields, p, &output->files, path));
     PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = p, .series = series},
                                        "Vectors=\"displacement\" Scalars=\"pressure\" Normals=\"normal\""));
-  }
-  if (vi->scene->num_paths) {
-    PetscCall(OutputGetPath_Private(vi->scene, "paths", ".csv", path));
-    PetscCall(PathTableWrite(fields, &output->files, path));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -233,6 +234,8 @@ static PetscErrorCode OutputRemoveFields_Private(Output output, Scene scene)
       PetscCall(FileSetRemove(&output->files, path));
     }
   }
+  PetscCall(OutputGetPath_Private(scene, "paths", ".csv", path));
+  PetscCall(FileSetRemove(&output->files, path));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -174,7 +174,7 @@ static PetscErrorCode PastReadBodies_Private(const Array *cells, const Array *bo
   PetscCall(PetscMalloc2(CHUNK * columns, &list, CHUNK, &body));
   PetscCall(PetscMalloc1(past->num, &past->body));
   for (PetscInt i = 0; i < past->num; i++) past->body[i] = -1;
-  *good = (PetscBool)(bodies->shape[1] == 1 && columns == (PetscInt)cells->shape[1]);
+  *good = (PetscBool)(bodies->shape[1] == 1 && columns > 0 && columns == (PetscInt)cells->shape[1]);
   for (PetscInt at = 0; *good && at < rows; at += used) {
     const PetscInt num = PetscMin(CHUNK, rows - at);
     PetscInt       taken;
