@@ -103,8 +103,6 @@ PetscErrorCode HungNodesCreate(const Tree *tree, const PetscInt first[], PetscIn
 PetscErrorCode HungNodesDestroy(HungNodes *hung);
 /* The number of a cell's node, of order 1 or 2, or -1 if it does not hang. */
 PetscInt HungNodesFind(const HungNodes *hung, PetscInt cell, PetscInt node);
-/* Whether a facet of a cell, beside hanging nodes, has a cell on one side alone. */
-PetscBool HungNodesHasFacet(const HungNodes *hung, PetscInt cell, PetscInt facet);
 /* Shape functions of the edge or facet that a node hangs on. [in] type - of the larger cell; [out] local -
    its nodes there, phi - their functions [*num] */
 void HungNodeShape(const HungNode *node, ElementType type, PetscInt *num, PetscInt local[], PetscReal phi[]);

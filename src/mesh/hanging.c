@@ -168,7 +168,8 @@ PetscInt HungNodesFind(const HungNodes *hung, PetscInt cell, PetscInt node)
   return FaceFind_Private(&hung->face, vertex, node - corners - edges);
 }
 
-PetscBool HungNodesHasFacet(const HungNodes *hung, PetscInt cell, PetscInt facet)
+/* Whether a facet of a cell, beside hanging nodes, has a cell on one side alone. */
+static PetscBool HungNodesHasFacet_Private(const HungNodes *hung, PetscInt cell, PetscInt facet)
 {
   const PetscInt *vertex = HungNodesVertices_Private(hung, cell),
                  *local  = ElementFacetNodes(ELEMENT_QUAD4, facet % FACE);
@@ -225,7 +226,7 @@ static PetscErrorCode HangingSetTree_Private(Mat S, const Tree *tree, ForestCell
       PetscCall(HangingSetRow_Private(S, &hung.node[found], cells, cells[c].nodes[k]));
     }
     for (PetscInt f = 0; f < ElementNumFacets(type); f++)
-      if (HungNodesHasFacet(&hung, c, f)) cells[c].inner |= 1 << f;
+      if (HungNodesHasFacet_Private(&hung, c, f)) cells[c].inner |= 1 << f;
   }
   PetscCall(HungNodesDestroy(&hung));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -17,15 +17,15 @@ static PetscErrorCode CouplingsAddMatrix_Private(Mat *A, PetscReal a, Mat B)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A := A + a B C, where NULL stands for 0. */
-static PetscErrorCode CouplingsAddProduct_Private(Mat *A, PetscReal a, Mat B, Mat C)
+/* A := A + B C, where NULL stands for 0. */
+static PetscErrorCode CouplingsAddProduct_Private(Mat *A, Mat B, Mat C)
 {
   Mat BC;
 
   PetscFunctionBeginUser;
   if (!B || !C) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatMatMult(B, C, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &BC));
-  PetscCall(CouplingsAddMatrix_Private(A, a, BC));
+  PetscCall(CouplingsAddMatrix_Private(A, 1.0, BC));
   PetscCall(MatDestroy(&BC));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -96,7 +96,7 @@ static PetscErrorCode CouplingsCreateKKT_Private(const Pair pair, Mat *record)
   PetscFunctionBeginUser;
   PetscCall(CouplingsAddMatrix_Private(record, -1.0, pair->M));
   PetscCall(CouplingsAddMatrix_Private(record, 1.0, pair->D_other));
-  PetscCall(CouplingsAddProduct_Private(record, 1.0, pair->D_other, pair->from_nodal));
+  PetscCall(CouplingsAddProduct_Private(record, pair->D_other, pair->from_nodal));
   if (!pair->from_nodal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCreateVecs(pair->from_nodal, NULL, &D));
   PetscCall(VecGetArray(D, &value));
@@ -120,13 +120,14 @@ static PetscErrorCode CouplingsCreateBasis_Private(const Pair pair, Mat shift, M
   PetscCall(CouplingsAddMatrix_Private(&other, -1.0, pair->M));
   if (!pair->to_nodal) PetscCall(CouplingsAddMatrix_Private(&other, 1.0, pair->D_other));
   PetscCall(CouplingsAddMatrix_Private(basis, 1.0, other));
-  PetscCall(CouplingsAddProduct_Private(basis, 1.0, other, shift));
+  PetscCall(CouplingsAddProduct_Private(basis, other, shift));
   if (pair->to_nodal) PetscCall(CouplingsAddMatrix_Private(basis, 1.0, pair->D_other));
   PetscCall(MatDestroy(&other));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode CouplingsCountRow(Mat A, PetscInt row, PetscInt *num)
+/* Number of entries of a row of this rank; 0 where the matrix is NULL. [in] row - global */
+static PetscErrorCode CouplingsCountRow_Private(Mat A, PetscInt row, PetscInt *num)
 {
   PetscFunctionBeginUser;
   *num = 0;
@@ -148,8 +149,8 @@ static PetscErrorCode CouplingsIsInconsistent_Private(const Pair pair, const Pai
   if (!other->to_nodal) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < pair->num; k++) {
     const PetscInt row = pair->level->node_begin + pair->nodes[k];
-    PetscCall(CouplingsCountRow(other->to_nodal, row, &num));
-    PetscCall(CouplingsCountRow(pair->to_nodal, row, &num_own));
+    PetscCall(CouplingsCountRow_Private(other->to_nodal, row, &num));
+    PetscCall(CouplingsCountRow_Private(pair->to_nodal, row, &num_own));
     *torn = (PetscBool)(*torn || (num > 0 && num != num_own));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -206,7 +207,7 @@ PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings)
   if (unshift) PetscCall(CouplingsExpand_Private(vi, unshift, &couplings->unshift));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(CouplingsAddMatrix_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm));
-    PetscCall(CouplingsAddProduct_Private(&couplings->arm[p], 1.0, vi->pairs[p]->arm, couplings->shift));
+    PetscCall(CouplingsAddProduct_Private(&couplings->arm[p], vi->pairs[p]->arm, couplings->shift));
   }
   PetscCall(MatDestroy(&shift));
   PetscCall(MatDestroy(&unshift));

@@ -24,7 +24,4 @@ PetscErrorCode CouplingsCreate(VI vi, Couplings *couplings);
 /* Collective. */
 PetscErrorCode CouplingsDestroy(Couplings *couplings);
 
-/* Number of entries of a row of this rank; 0 where the matrix is NULL. Not collective. [in] row - global */
-PetscErrorCode CouplingsCountRow(Mat A, PetscInt row, PetscInt *num);
-
 #endif

@@ -5,12 +5,11 @@
 enum { MOST_MESHES = 100 }; /* as many levels as a mesh has room for */
 
 /* A number that must lie between two others, ends excluded. */
-static PetscErrorCode AdaptReadBetween_Private(const Option *option, PetscReal lower, PetscReal upper, PetscReal *value)
+static PetscErrorCode AdaptReadShare_Private(const Option *option, PetscReal *value)
 {
   PetscFunctionBeginUser;
   PetscCall(OptionGetReals(option, 1, value));
-  if (!(*value > lower && *value < upper))
-    PetscCall(OptionRaise(option, "give a number above %g and below %g", (double)lower, (double)upper));
+  if (!(*value > 0 && *value < 1)) PetscCall(OptionRaise(option, "give a number above 0 and below 1"));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -95,10 +94,10 @@ static PetscErrorCode AdaptReadTolerances_Private(Scene scene, Option *option)
   PetscCall(OptionFind(scene, "-adapt", NULL, NULL, option));
   PetscCall(OptionFind(scene, "-adapt_goal", NULL, NULL, &goals));
   adapt->on = (PetscBool)(option->set || goals.set);
-  if (option->set) PetscCall(AdaptReadBetween_Private(option, 0, 1, &adapt->tolerance));
+  if (option->set) PetscCall(AdaptReadShare_Private(option, &adapt->tolerance));
   if (!goals.set) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(OptionFind(scene, "-adapt_goal_tolerance", NULL, NULL, &tolerance));
-  PetscCall(AdaptReadBetween_Private(&tolerance, 0, 1, &adapt->goal_tolerance));
+  PetscCall(AdaptReadShare_Private(&tolerance, &adapt->goal_tolerance));
   PetscCall(AdaptReadGoals_Private(&goals, adapt));
   if (!option->set) *option = goals;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -121,7 +120,7 @@ PetscErrorCode SceneAdaptRead(Scene scene)
   PetscCall(OptionFind(scene, "-adapt_marking", NULL, NULL, &marking));
   PetscCall(OptionFind(scene, "-adapt_max_unknowns", NULL, NULL, &unknowns));
   PetscCall(OptionFind(scene, "-adapt_max_meshes", NULL, NULL, &meshes));
-  PetscCall(AdaptReadBetween_Private(&marking, 0, 1, &adapt->marking));
+  PetscCall(AdaptReadShare_Private(&marking, &adapt->marking));
   PetscCall(OptionGetReals(&unknowns, 1, &adapt->max_unknowns));
   if (!(adapt->max_unknowns >= 1)) PetscCall(OptionRaise(&unknowns, "give a number of at least 1"));
   PetscCall(OptionGetInts(&meshes, 1, 1, &adapt->max_meshes));

@@ -195,16 +195,16 @@ static PetscErrorCode MaterialReadElastic_Private(const Reader *r)
 /* Raises a user error where the six numbers of a plane Hooke matrix do not tell what a strain across the
    plane does.
    [in] across - which component that is */
-static PetscErrorCode MaterialCheckAcross_Private(const Reader *r, const Option *option, Expression e, PetscInt across)
+static PetscErrorCode MaterialCheckAcross_Private(const Reader *r, const Option *option, Expression e)
 {
   const PetscReal origin[3] = {0, 0, 0};
   PetscReal       values[6] = {0};
 
   PetscFunctionBeginUser;
   if (!e || !r->material->stiffness || r->scene->model != MODEL_PLANE_STRAIN) PetscFunctionReturn(PETSC_SUCCESS);
-  if (ExpressionSize(e) > across && ExpressionIsConstant(e)) {
+  if (ExpressionSize(e) > 2 && ExpressionIsConstant(e)) {
     PetscCall(ExpressionEvaluate(e, r->scene->dim, origin, values));
-    if (values[across] == 0) PetscFunctionReturn(PETSC_SUCCESS);
+    if (values[2] == 0) PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(OptionRaise(option,
                         "in plane strain the six numbers of %s do not determine the stress of a strain across the "
@@ -245,7 +245,7 @@ static PetscErrorCode MaterialReadThermal_Private(const Reader *r)
                           num, point));
   }
   if (num == 3) PetscCall(MaterialReadAngle_Private(r));
-  PetscCall(MaterialCheckAcross_Private(r, &expansion.option, r->material->expansion, 2));
+  PetscCall(MaterialCheckAcross_Private(r, &expansion.option, r->material->expansion));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -258,7 +258,7 @@ static PetscErrorCode MaterialRead_Private(const Reader *r)
   PetscCall(MaterialReadThermal_Private(r));
   PetscCall(DatumFind_Private(r, KEY_STRAIN, &strain));
   PetscCall(OptionGetExpression(&strain.option, r->scene->dim == 2 ? 4 : 6, PETSC_FALSE, &r->material->initial_strain));
-  PetscCall(MaterialCheckAcross_Private(r, &strain.option, r->material->initial_strain, 2));
+  PetscCall(MaterialCheckAcross_Private(r, &strain.option, r->material->initial_strain));
   PetscCall(DatumFind_Private(r, KEY_FORCE, &force));
   PetscCall(OptionGetExpression(&force.option, r->scene->dim, PETSC_FALSE, &r->material->body_force));
   PetscFunctionReturn(PETSC_SUCCESS);
