@@ -41,6 +41,7 @@ typedef struct {
   PetscInt            *start;         /* [n + 1] */
   PetscInt            *all_nodes;     /* [start[n]] */
   PetscReal           *all_strengths; /* [start[n]] */
+  PetscReal           *limit;         /* FLAT_EXTENT sum_all d d' [n][dim][dim] */
   PetscInt             num;
   const PetscInt      *node;     /* neighbours and the node itself [num] */
   const PetscReal     *strength; /* negative for the node itself [num] */
@@ -109,6 +110,30 @@ static void BlockSmootherSelect_Private(Stencil *stencil, PetscInt node)
   stencil->strength = &stencil->all_strengths[stencil->start[node]];
 }
 
+/* F += weight d d' for two nodes. */
+static void BlockSmootherAddDirection_Private(const Stencil *stencil, PetscInt node, PetscInt other, PetscReal weight,
+                                              PetscReal F[])
+{
+  const PetscInt dim = stencil->dim;
+  PetscReal      d[DIM_MAX];
+
+  for (PetscInt k = 0; k < dim; k++) d[k] = stencil->x[other * dim + k] - stencil->x[node * dim + k];
+  for (PetscInt r = 0; r < dim; r++)
+    for (PetscInt c = 0; c < dim; c++) F[r * dim + c] += weight * d[r] * d[c];
+}
+
+static PetscErrorCode BlockSmootherSetLimits_Private(Stencil *stencil)
+{
+  const PetscInt n = stencil->ghosts->n, square = stencil->dim * stencil->dim;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(n * square, &stencil->limit));
+  for (PetscInt i = 0; i < n; i++)
+    for (PetscInt j = stencil->start[i]; j < stencil->start[i + 1]; j++)
+      BlockSmootherAddDirection_Private(stencil, i, stencil->all_nodes[j], FLAT_EXTENT, &stencil->limit[i * square]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode BlockSmootherBeginStencil_Private(const Operator *op, GhostExchange *ghosts, Stencil *stencil)
 {
   const PetscInt dim = op->dim, num = ghosts->n + ghosts->num;
@@ -127,6 +152,7 @@ static PetscErrorCode BlockSmootherBeginStencil_Private(const Operator *op, Ghos
   PetscCall(PetscFree(along));
   PetscCall(BlockSmootherScale_Private(stencil, ghosts));
   PetscCall(BlockSmootherGather_Private(stencil));
+  PetscCall(BlockSmootherSetLimits_Private(stencil));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -138,6 +164,7 @@ static PetscErrorCode BlockSmootherEndStencil_Private(Stencil *stencil)
   PetscCall(PetscFree(stencil->start));
   PetscCall(PetscFree(stencil->all_nodes));
   PetscCall(PetscFree(stencil->all_strengths));
+  PetscCall(PetscFree(stencil->limit));
   PetscCall(PetscFree(stencil->chosen));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -145,17 +172,13 @@ static PetscErrorCode BlockSmootherEndStencil_Private(Stencil *stencil)
 /* Whether the chosen couplings lead along fewer axes than all. */
 static PetscBool BlockSmootherIsFlat_Private(const Stencil *stencil, PetscInt node)
 {
-  const PetscInt dim                  = stencil->dim;
-  PetscReal      F[DIM_MAX * DIM_MAX] = {0};
+  const PetscInt   dim   = stencil->dim;
+  const PetscReal *limit = &stencil->limit[node * dim * dim];
+  PetscReal        F[DIM_MAX * DIM_MAX];
 
-  for (PetscInt j = 0; j < stencil->num; j++) {
-    const PetscReal weight = (stencil->chosen[j] ? 1 : 0) - FLAT_EXTENT;
-    PetscReal       d[DIM_MAX];
-
-    for (PetscInt k = 0; k < dim; k++) d[k] = stencil->x[stencil->node[j] * dim + k] - stencil->x[node * dim + k];
-    for (PetscInt r = 0; r < dim; r++)
-      for (PetscInt c = 0; c < dim; c++) F[r * dim + c] += weight * d[r] * d[c];
-  }
+  for (PetscInt k = 0; k < dim * dim; k++) F[k] = -limit[k];
+  for (PetscInt j = 0; j < stencil->num; j++)
+    if (stencil->chosen[j]) BlockSmootherAddDirection_Private(stencil, node, stencil->node[j], 1, F);
   return (PetscBool)!DenseCholesky(dim, F);
 }
 
