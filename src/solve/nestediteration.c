@@ -145,19 +145,76 @@ static PetscErrorCode NestedIterationChange_Private(VI vi, SNES snes, PetscReal 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adds the tangents of contacts to the set: they stick. */
+static PetscErrorCode NestedIterationStick_Private(const FrictionLaw *law, Vec active)
+{
+  PetscScalar *a;
+  PetscInt     begin;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetOwnershipRange(active, &begin, NULL));
+  PetscCall(VecGetArray(active, &a));
+  for (PetscInt i = 0; i < FRICTION_TANGENTS * law->n; i++)
+    if (law->tangent[i] >= 0) a[law->tangent[i] - begin] = a[law->normal[i / FRICTION_TANGENTS] - begin];
+  PetscCall(VecRestoreArray(active, &a));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Predicts contact on the first level that is solved, from the contacts that balance the loads or from none.
+   [in] m - level; [in] pc - or NULL; [out] found - false where there is nothing to predict */
+static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PetscInt m, PC pc, Proximal *proximal, Vec y,
+                                                     Vec active, PetscBool *found)
+{
+  const Hierarchy       hierarchy = levels->hierarchy;
+  const HierarchyLevel *level     = &hierarchy->level[hierarchy->first + m];
+  PetscReal             least;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecMin(level->op.upper, NULL, &least));
+  *found = (PetscBool)(pc && least < PETSC_INFINITY);
+  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecZeroEntries(active));
+  if (proximal->solvability) PetscCall(VecCopy(proximal->solvability->start, active));
+  PetscCall(ActivePredictionStart(hierarchy, level, pc, y, active));
+  if (levels->vi[m]->friction) {
+    PetscCall(NestedIterationStick_Private(levels->vi[m]->friction, active));
+    if (proximal->solvability) PetscCall(VecZeroEntries(y)); // without friction bodies may have slid far
+  }
+  if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ProximalFinish(proximal, y)); // y of the scene
+  PetscCall(ProximalSetCenter(proximal, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The start on the first level that is solved. [in] pc - multigrid, or NULL; [in,out] state; [out] set -
+   whether it has a set */
+static PetscErrorCode NestedIterationBegin_Private(MeshLevels levels, PetscInt m, PC pc, Proximal *proximal,
+                                                   State *state, PetscBool *set)
+{
+  const Solvability solvability = proximal->solvability;
+
+  PetscFunctionBeginUser;
+  if (pc)
+    PetscCall(NestedIterationSetFixed_Private(&levels->hierarchy->level[levels->hierarchy->first + m].op, state->y));
+  if (solvability) PetscCall(VecCopy(solvability->start, state->active));
+  PetscCall(NestedIterationPredict_Private(levels, m, pc, proximal, state->y, state->active, set));
+  *set = (PetscBool)(*set || solvability);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Solves on level m of the mesh. [in] proximal - of it; [in] type - of the SNES; [in] energy_decrease - of
    PDASSetErrorReduction(); [in] begun - whether a coarser level says what to begin with; [in,out] state */
-static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, PetscInt m, const Proximal *proximal,
+static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, PetscInt m, Proximal *proximal,
                                                         const char type[], PetscReal energy_decrease, PetscBool begun,
                                                         State *state)
 {
-  const Inequality *solved      = &proximal->solved;
-  const Solvability solvability = proximal->solvability;
-  const Hierarchy   hierarchy   = levels->hierarchy;
-  const PetscInt    l           = hierarchy->first + m;
-  const PetscBool   pdas        = (PetscBool)!strcmp(type, SNESPDAS);
-  SolverChoice      choice      = l ? (SolverChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
-                                    : (SolverChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
+  const Inequality *solved    = &proximal->solved;
+  const Hierarchy   hierarchy = levels->hierarchy;
+  const PetscInt    l         = hierarchy->first + m;
+  const PetscBool   pdas      = (PetscBool)!strcmp(type, SNESPDAS);
+  SolverChoice      choice    = l ? (SolverChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
+                                  : (SolverChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
+  PetscBool         set       = begun;
   PetscReal         norm;
   SNES              snes;
   KSP               ksp;
@@ -174,8 +231,8 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
-  if (!begun && solvability) PetscCall(VecCopy(solvability->start, state->active));
-  if (pdas && (begun || solvability)) PetscCall(PDASSetStart(snes, state->active));
+  if (!begun) PetscCall(NestedIterationBegin_Private(levels, m, pdas && l ? pc : NULL, proximal, state, &set));
+  if (pdas && set) PetscCall(PDASSetStart(snes, state->active));
   PetscCall(VecDuplicate(state->y, &before));
   PetscCall(VecCopy(state->y, before));
   if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
@@ -283,47 +340,6 @@ static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the tangents of contacts to the set: they stick. */
-static PetscErrorCode NestedIterationStick_Private(const FrictionLaw *law, Vec active)
-{
-  PetscScalar *a;
-  PetscInt     begin;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecGetOwnershipRange(active, &begin, NULL));
-  PetscCall(VecGetArray(active, &a));
-  for (PetscInt i = 0; i < FRICTION_TANGENTS * law->n; i++)
-    if (law->tangent[i] >= 0) a[law->tangent[i] - begin] = a[law->normal[i / FRICTION_TANGENTS] - begin];
-  PetscCall(VecRestoreArray(active, &a));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Without coarser meshes: predicts contact on this one, from the contacts that balance the loads or from
-   none. [in] pc - or NULL; [out] found - false where there is nothing to predict */
-static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PC pc, Proximal *proximal, Vec y, Vec active,
-                                                     PetscBool *found)
-{
-  const Hierarchy       hierarchy = levels->hierarchy;
-  const HierarchyLevel *level     = &hierarchy->level[hierarchy->num - 1];
-  PetscReal             least;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecMin(level->op.upper, NULL, &least));
-  *found = (PetscBool)(pc && least < PETSC_INFINITY);
-  if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecZeroEntries(active));
-  if (proximal->solvability) PetscCall(VecCopy(proximal->solvability->start, active));
-  PetscCall(ActivePredictionStart(hierarchy, level, pc, y, active));
-  if (levels->vi[levels->num - 1]->friction) {
-    PetscCall(NestedIterationStick_Private(levels->vi[levels->num - 1]->friction, active));
-    if (proximal->solvability) PetscCall(VecZeroEntries(y)); // without friction bodies may have slid far
-  }
-  if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ProximalFinish(proximal, y)); // y of the scene
-  PetscCall(ProximalSetCenter(proximal, y));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *proximal, Vec y, Vec active,
                                     PetscReal *energy_decrease, PetscBool *found)
 {
@@ -342,7 +358,7 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
   PetscCall(NestedIterationGetCycles_Private(snes, proximal->solved.vi, &pc));
   PetscCall(NestedIterationFindFirst_Private(levels, solvability, &first));
   *found = (PetscBool)(first < finest);
-  if (!*found) PetscCall(NestedIterationPredict_Private(levels, pc, proximal, y, active, found));
+  if (!*found) PetscCall(NestedIterationPredict_Private(levels, finest, pc, proximal, y, active, found));
   if (first < finest) {
     PetscCall(NestedIterationBeginLevel_Private(levels, first, solvability[first], &own[first % 2]));
     PetscCall(NestedIterationStateCreate_Private(&levels->hierarchy->level[levels->hierarchy->first + first], &state));
