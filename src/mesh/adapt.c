@@ -17,7 +17,9 @@ PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[]
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     (*forest)->names[b] = names[b];
     names[b]            = (SideNames){0};
-    PetscCall(TreeCreate(scene, b, &(*forest)->names[b], &lists[b], &(*forest)->cut[b], &(*forest)->tree[b]));
+    if (!scene->adapt.kept || !BodyListCanSplit(&lists[b]))
+      PetscCall(BodyListCut(&scene->bodies[b], &lists[b], &(*forest)->cut[b]));
+    PetscCall(TreeCreate(scene, b, &(*forest)->names[b], &lists[b], &(*forest)->tree[b]));
   }
   PetscCallMPI(MPI_Bcast((*forest)->cut, (PetscMPIInt)scene->num_bodies, MPIU_BOOL, 0, scene->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

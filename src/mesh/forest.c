@@ -191,8 +191,7 @@ static PetscErrorCode TreeSetSense_Private(Tree *tree, const SceneBody *body)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A tree of the list's cells as they are. */
-static PetscErrorCode TreeBegin_Private(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree)
+PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree)
 {
   const PetscInt  num  = list->num_cells ? ElementNumNodes(ElementLinear((ElementType)list->cell_type[0])) : 0;
   const PetscBool kept = (PetscBool)(num > list->dim + 1);
@@ -216,30 +215,7 @@ static PetscErrorCode TreeBegin_Private(Scene scene, PetscInt body, const SideNa
                               &tree->mesh));
   PetscCall(PetscFree3(cells, facets, coords));
   PetscCall(TreeArcsCreate(scene, body, names, tree));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, PetscBool *cut,
-                          Tree *tree)
-{
-  const SceneBody *own   = &scene->bodies[body];
-  const PetscBool  split = BodyListCanSplit(list);
-  Tree             whole = {.num_entries = 0};
-
-  PetscFunctionBeginUser;
-  if (!scene->adapt.kept || !split) {
-    if (split && scene->dim == 3 && own->mesh_file) {
-      PetscCall(TreeBegin_Private(scene, body, names, list, &whole));
-      *list      = whole.list;
-      whole.list = (BodyList){0};
-    }
-    PetscCall(BodyListCut(own, list, cut));
-  }
-  PetscCall(TreeBegin_Private(scene, body, names, list, tree));
-  TreeArcsTakeNormals(&whole.arcs, tree);
-  PetscCall(TreeArcsRaise(own, tree));
-  PetscCall(TreeSetSense_Private(tree, own));
-  PetscCall(TreeDestroy(&whole));
+  PetscCall(TreeSetSense_Private(tree, &scene->bodies[body]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

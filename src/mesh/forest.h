@@ -108,9 +108,8 @@ PetscInt HungNodesFind(const HungNodes *hung, PetscInt cell, PetscInt node);
 void HungNodeShape(const HungNode *node, ElementType type, PetscInt *num, PetscInt local[], PetscReal phi[]);
 
 /* A body's tree of simplices, or of quadrilaterals or hexahedra that are kept. [in] names - of the list's
-   sides; [in,out] list - taken over, empty afterwards; [out] cut - whether it had other cells */
-PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, PetscBool *cut,
-                          Tree *tree);
+   sides; [in,out] list - taken over, empty afterwards */
+PetscErrorCode TreeCreate(Scene scene, PetscInt body, const SideNames *names, BodyList *list, Tree *tree);
 PetscErrorCode TreeDestroy(Tree *tree);
 /* Whether its cells are split and keep their type. */
 PetscBool TreeIsKept(const Tree *tree);
@@ -118,12 +117,8 @@ PetscBool TreeIsKept(const Tree *tree);
    at most.
    [in] body - of the tree; [in] marked - how often edges are halved [num_cells] */
 PetscErrorCode TreeRefine(Tree *tree, const SceneBody *body, const PetscInt marked[]);
-/* Finds the smooth sides of a tree's list. */
+/* Finds the smooth sides of a tree's list; a body of order 2 gets middle nodes on them. */
 PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names, Tree *tree);
-/* Takes normals of smooth sides as they were before facets were cut. [in] whole - of the same vertices */
-void TreeArcsTakeNormals(const TreeArcs *whole, Tree *tree);
-/* A body of order 2 with smooth sides gets middle nodes on them. */
-PetscErrorCode TreeArcsRaise(const SceneBody *body, Tree *tree);
 PetscErrorCode TreeArcsDestroy(TreeArcs *arcs);
 /* Moves new vertices and middle nodes of a new list to the curves.
    [in,out] list - of the tree's mesh, with the positions of all other nodes */

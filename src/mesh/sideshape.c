@@ -15,6 +15,8 @@ static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.9238
 static const PetscReal INNER_TURN = 0.8, END_TURN = 0.35, FULLER = 0.1;
 /* Differences of unit normals below this are roundoff: flat. */
 static const PetscReal FLAT_SIDE = 1e-11;
+/* Angles between 78 and 102 degrees, by their cosine, are those of rectangles that were cut. */
+static const PetscReal RIGHT_ANGLE = 0.2;
 /* Neighbours lie on a line whose second moment across it is below this share. */
 static const PetscReal ON_A_LINE = 1e-4;
 
@@ -384,15 +386,59 @@ static PetscBool SideShapeOnOneLine_Private(ElementType type, PetscInt i, PetscI
   return (PetscBool)(ElementNumNodes(ElementLinear(type)) == 3 && a[0] + a[1] == b[0] + b[1]);
 }
 
+/* Whether two nodes of a triangle lie along the diagonal of a rectangle that was cut into two: its longest
+   edge, opposite to a right angle. */
+static PetscBool SideShapeOnDiagonal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j)
+{
+  const ElementType type = side->facets->type[f];
+  const PetscReal  *a = ElementNode(type, i), *b = ElementNode(type, j);
+  PetscReal         square[3] = {0, 0, 0};
+  PetscInt          k, m, n;
+
+  if (ElementNumNodes(ElementLinear(type)) != 3) return PETSC_FALSE;
+  k = a[1] == b[1] ? 2 : a[0] == b[0] ? 1 : 0; // the vertex opposite to the edge along this line
+  m = (k + 1) % 3;
+  n = (k + 2) % 3;
+  for (PetscInt d = 0; d < 3; d++) {
+    const PetscReal x = SideShapePosition_Private(side, f, m, d) - SideShapePosition_Private(side, f, k, d);
+    const PetscReal y = SideShapePosition_Private(side, f, n, d) - SideShapePosition_Private(side, f, k, d);
+
+    square[k] += PetscSqr(x - y);
+    square[m] += PetscSqr(y);
+    square[n] += PetscSqr(x);
+  }
+  if (square[k] < PetscMax(square[m], square[n])) return PETSC_FALSE;
+  return (PetscBool)(PetscAbsReal(square[m] + square[n] - square[k]) <
+                     2 * RIGHT_ANGLE * PetscSqrtReal(square[m] * square[n]));
+}
+
+/* What neighbours add at the end of a patch: sums of normals that differ, along other lines than diagonals
+   and along these; the number of the former, also of those that do not differ. */
+enum { END_NORMAL, END_DIAGONAL = 3, END_COUNT = 6, END_SUMS };
+
+/* Adds to a corner what a neighbour gives. [in,out] sums - [END_SUMS] */
+static void SideShapeAddEnd_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
+                                    PetscReal sums[])
+{
+  const PetscBool diagonal = (PetscBool)(!known && SideShapeOnDiagonal_Private(side, f, i, j));
+  PetscReal       n[3];
+
+  if (!known && !SideShapeOnOneLine_Private(side->facets->type[f], i, j)) return;
+  if (!diagonal) sums[END_COUNT] += 1;
+  if (!SideShapeTurnNormal_Private(side, f, i, j, known, n)) return;
+  for (PetscInt k = 0; k < side->level->dim; k++) sums[(diagonal ? END_DIAGONAL : END_NORMAL) + k] += n[k];
+}
+
 /* Normals at the ends of patches, where facets are on one side only: extrapolated from neighbours with facets
-   around them. Collective. [in] least, most - share of those ends; known - of curvatures [num][F] */
+   around them, from those across diagonals if there are no others. Collective. [in] least, most - share of
+   those ends; known - of curvatures [num][F] */
 static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
 {
   const PetscInt dim = side->level->dim;
-  PetscReal     *normals, n[3];
+  PetscReal     *sums;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(side->facets->num * F * dim, &normals));
+  PetscCall(PetscCalloc1(side->facets->num * F * END_SUMS, &sums));
   for (PetscInt f = 0; f < side->facets->num; f++) {
     const PetscInt num = ElementNumNodes(side->facets->type[f]);
 
@@ -402,18 +448,17 @@ static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, Pets
       if (share < least || share >= most) continue;
       for (PetscInt j = 0; j < num; j++) {
         if (side->share[f * F + j] < share + FULLER) continue;
-        if (known[f * F + j] == 0 && !SideShapeOnOneLine_Private(side->facets->type[f], i, j)) continue;
-        if (!SideShapeTurnNormal_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), n)) continue;
-        for (PetscInt k = 0; k < dim; k++) normals[(f * F + i) * dim + k] += n[k];
+        SideShapeAddEnd_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), &sums[(f * F + i) * END_SUMS]);
       }
     }
   }
-  PetscCall(SideShapeSumAtNodes_Private(side, dim, side->shape->ridge, normals));
+  PetscCall(SideShapeSumAtNodes_Private(side, END_SUMS, side->shape->ridge, sums));
   for (PetscInt c = 0; c < side->facets->num * F; c++) {
-    if (FrameNormalize(dim, &normals[c * dim]) > 0)
-      PetscCall(PetscArraycpy(&side->shape->normal[c * dim], &normals[c * dim], dim));
+    PetscReal *n = &sums[c * END_SUMS + (sums[c * END_SUMS + END_COUNT] > 0 ? END_NORMAL : END_DIAGONAL)];
+
+    if (FrameNormalize(dim, n) > 0) PetscCall(PetscArraycpy(&side->shape->normal[c * dim], n, dim));
   }
-  PetscCall(PetscFree(normals));
+  PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,7 +1,6 @@
 /* treearcs.c -- smooth sides of bodies that are bisected, on the curves of their vertices' normals (eq. 4.5).
 
-   Normals of the first list are those of its facets, before they were cut: where a cylinder ends, those of
-   triangles are not exact. Where an edge is halved, the new vertex is the middle of
+   Normals of the first list are those of its facets. Where an edge is halved, the new vertex is the middle of
    its arc, with the normal of the arc. In the middle of a face it is that of the arc between two opposite
    edges. On circles, spheres and cylinders both are exact for any sequence of
    bisections. Flat sides stay exactly flat. */
@@ -288,57 +287,12 @@ PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names
   PetscCall(TreeChooseFacets_Private(tree, names, round, arcs->round, &any));
   PetscCall(TreeChooseFacets_Private(tree, names, flat, arcs->flat, NULL));
   if (any) PetscCall(TreeArcsFind_Private(tree, &alone));
-  if (!arcs->any) PetscCall(TreeArcsDestroy(arcs));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The corner of a facet at a vertex, or NULL. */
-static SideCorner *TreeArcsFindCorner_Private(const TreeArcs *arcs, PetscInt vertex, PetscInt facet)
-{
-  for (PetscInt i = arcs->start[vertex]; i < arcs->start[vertex + 1]; i++)
-    if (arcs->corner[i].facet == facet) return &arcs->corner[i];
-  return NULL;
-}
-
-/* Takes the normals of one facet, which is part of the one that has all of its vertices.
-   [in] vertex - of the facet [num] */
-static void TreeArcsTakeFacet_Private(const TreeArcs *whole, PetscInt num, const PetscInt vertex[], PetscInt facet,
-                                      TreeArcs *arcs)
-{
-  for (PetscInt i = whole->start[vertex[0]]; i < whole->start[vertex[0] + 1]; i++) {
-    const SideCorner *from[3];
-    PetscInt          found = 0;
-
-    while (found < num && (from[found] = TreeArcsFindCorner_Private(whole, vertex[found], whole->corner[i].facet)))
-      found++;
-    for (PetscInt k = 0; k < num && found == num; k++)
-      (void)PetscArraycpy(TreeArcsFindCorner_Private(arcs, vertex[k], facet)->normal, from[k]->normal, 3);
+  if (!arcs->any) {
+    PetscCall(TreeArcsDestroy(arcs));
+  } else if (own->order > 1) {
+    PetscCall(BodyListRaise_Private(&tree->list));
+    TreeArcsSetMiddles_Private(tree, &tree->list);
   }
-}
-
-void TreeArcsTakeNormals(const TreeArcs *whole, Tree *tree)
-{
-  const Bisection *mesh = &tree->mesh;
-
-  for (PetscInt c = 0; c < mesh->num_cells && whole->any && tree->arcs.any; c++) {
-    for (PetscInt v = 0; v < mesh->corners; v++) {
-      const PetscInt e = mesh->facet[c][v];
-      PetscInt       vertex[3], num = 0;
-
-      if (e < 0 || !tree->arcs.round[e]) continue;
-      for (PetscInt i = 0; i < mesh->corners; i++)
-        if (i != v) vertex[num++] = mesh->vertex[c][i];
-      TreeArcsTakeFacet_Private(whole, num, vertex, e, &tree->arcs);
-    }
-  }
-}
-
-PetscErrorCode TreeArcsRaise(const SceneBody *body, Tree *tree)
-{
-  PetscFunctionBeginUser;
-  if (!tree->arcs.any || body->order < 2) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(BodyListRaise_Private(&tree->list));
-  TreeArcsSetMiddles_Private(tree, &tree->list);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -106,6 +106,26 @@ static void TestSolids(void)
   }
 }
 
+/* A part of a cylinder of tetrahedra, one and two facets long: no mirror image across a diagonal is exact there. */
+static void TestTriangles(void)
+{
+  const PetscReal lower[3] = {-0.4, -0.3, 1}, upper[3] = {0.4, 0.5, 2}, axis[3] = {0, 1, 0};
+
+  for (PetscInt trial = 0; trial < 4; ++trial) {
+    const PetscInt faces[3] = {5, 1 + trial % 2, 1};
+    TestScene      t;
+
+    SolidSceneInit(&t);
+    SolidSceneAddBox(&t, "part", faces, lower, upper)->simplex = PETSC_TRUE;
+    (void)TestSceneAddPair(&t, "outer", 0, "top", 0, "bottom");
+    t.bodies[0].order = 1 + trial / 2;
+    CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", "z*sin(x), y, z*cos(x)", 3, PETSC_FALSE, &t.bodies[0].map));
+    CHECK_NEAR(MeasureRound(&t, 3, "top", axis, 1).normal, 0, EXACT);
+    CHECK_NEAR(MeasureRound(&t, 3, "bottom", axis, -1).normal, 0, EXACT);
+    TestSceneFree(&t);
+  }
+}
+
 /* Two sides of a box as one: each facet has the normal of its own side, exactly flat. The edge between them
    is a convex ridge. */
 static void TestEdge(void)
@@ -154,6 +174,7 @@ int main(int argc, char **argv)
   PetscCall(UserErrorInitialize());
   TestCircle();
   TestSolids();
+  TestTriangles();
   TestEdge();
   PetscCall(PetscFinalize());
   return 0;
