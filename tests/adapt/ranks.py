@@ -8,6 +8,10 @@ def judge(run):
     same("cells", [mesh["cells"] for mesh in mine["meshes"]], [mesh["cells"] for mesh in other["meshes"]])
     for key in ("potential", "estimate"):
         near(key, [mesh[key] for mesh in mine["meshes"]], [mesh[key] for mesh in other["meshes"]], relative=1e-9)
-    near("bar of the force", run.summary["bars"]["pairs"]["joint"]["normal_force"], alone.summary["bars"]["pairs"]["joint"]["normal_force"], relative=1e-3)
+    for name, pair in run.summary["pairs"].items():
+        for key in ("mean_pressure", "normal_force", "max_pressure"):
+            near(f"{key} of {name}", pair[key], alone.pair(name)[key], relative=1e-9)
+        bars = [one.summary["bars"]["pairs"][name]["normal_force"] for one in (run, alone)]
+        near(f"bar of the force of {name}", *bars, relative=1e-3)
     bars = [one.summary["bars"]["probes"] for one in (run, alone)]
     same("stresses without a bar", *[[value is None for probe in own.values() for value in probe["principal"]] for own in bars])
