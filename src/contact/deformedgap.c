@@ -171,7 +171,7 @@ static PetscErrorCode DeformedGapOfGeometry_Private(Scene scene, const Support *
                                                     PetscReal gap[], PetscReal turn[])
 {
   ScenePair          spec     = *pair->spec;
-  struct _n_Pair     moved    = {.spec = &spec, .level = pair->level, .reach = pair->reach};
+  struct _n_Pair     moved    = {.spec = &spec, .level = pair->level, .reach = pair->reach, .oblique = pair->oblique};
   PairAssembly       assembly = {.gap_only = PETSC_TRUE, .displacement = u};
   const PetscScalar *D, *G;
   PetscReal          most;

@@ -2,7 +2,7 @@
 
    A node is uncovered, or removed (its row is redistributed to its neighbours), or kept. Nodes are removed if
    they are hardly covered, so that their pressure would be inaccurate. They are also removed if their normal
-   direction is fixed, or if another pair constrains them. */
+   direction is fixed, wholly or in part (obliqueholds.h), or if another pair constrains them. */
 #include <string.h>
 #include "base/compat.h"
 #include "base/usererror.h"
@@ -49,7 +49,8 @@ static PetscBool MultiplierStatusProjectNormal_Private(const Support *support, P
   return (PetscBool)(support->count[node] < dim && FrameNormalize(dim, n) >= HELD_NORMAL);
 }
 
-PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *support, Vec normals)
+PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *support, const PetscBool oblique[],
+                                              Vec normals)
 {
   PetscReal    n[3];
   PetscScalar *N;
@@ -59,6 +60,7 @@ PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support 
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArray(local, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
+    if (oblique && oblique[i]) continue;
     PetscCall(PetscArraycpy(n, &N[i * level->dim], level->dim));
     if (MultiplierStatusProjectNormal_Private(support, i, n))
       PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
@@ -98,7 +100,8 @@ static MultiplierStatus MultiplierStatusOfCovered_Private(PetscScalar *const a[S
   return NODE_REMOVED;
 }
 
-PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, PairAssembly *assembly)
+PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, const PetscBool oblique[],
+                                      PairAssembly *assembly)
 {
   const PetscInt  dim          = level->dim;
   const PetscReal least        = MultiplierStatusLeastShare_Private(level, assembly->spec);
@@ -116,7 +119,8 @@ PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, Pair
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     assembly->status[i] = MultiplierStatusOfCovered_Private(a, i, least);
     if (assembly->status[i] == NODE_UNCOVERED) continue;
-    if (!MultiplierStatusProjectNormal_Private(support, i, &N[i * dim])) assembly->status[i] = NODE_REMOVED;
+    if ((oblique && oblique[i]) || !MultiplierStatusProjectNormal_Private(support, i, &N[i * dim]))
+      assembly->status[i] = NODE_REMOVED;
   }
   PetscCall(VecRestoreArray(local_N, &N));
   PetscCall(VecGhostRestoreLocalForm(assembly->normals, &local_N));

@@ -8,6 +8,7 @@
 #include "contact/pairassembly.h"
 #include "contact/heldfriction.h"
 #include "contact/heldrows.h"
+#include "contact/obliqueholds.h"
 #include "contact/smoothgap.h"
 #include "contact/quadraticbasis.h"
 #include "kernel/vector.h"
@@ -99,35 +100,55 @@ static PetscErrorCode PairCopyGhosts_Private(Vec from, Vec to)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Integrates D, M and G along the directions of contact. */
+/* Integrates D, M and G along the directions of contact. [in] oblique - of the pair */
 static PetscErrorCode PairIntegrateFrom_Private(Level *level, const Support *support, const FacetPartner *partner,
-                                                Vec own, PairAssembly *assembly)
+                                                const PetscBool oblique[], Vec own, PairAssembly *assembly)
 {
   PetscFunctionBeginUser;
   PetscCall(PairCopyGhosts_Private(own, assembly->normals));
   PetscCall(ContactNormalSet(level, partner, &assembly->nonmortar, &assembly->shape, assembly->normals));
-  PetscCall(MultiplierStatusProjectNormals(level, support, assembly->normals));
+  if (assembly->directions) PetscCall(PairCopyGhosts_Private(assembly->normals, assembly->directions));
+  PetscCall(MultiplierStatusProjectNormals(level, support, oblique, assembly->normals));
   PetscCall(NodalNormalsConform(level, assembly->normals));
   PetscCall(MortarIntegralsCreate(level, partner, &assembly->nonmortar, assembly->normals, &assembly->sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Integrates again if facets at sharp edges do not face the partner, as the first integration shows. */
+/* Discards the integrals and computes them anew. Collective. */
+static PetscErrorCode PairIntegrateAgain_Private(Level *level, const Support *support, const FacetPartner *partner,
+                                                 const PetscBool oblique[], Vec own, PairAssembly *assembly)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MatDestroy(&assembly->sums.M));
+  PetscCall(MortarIntegralsDestroy(&assembly->sums));
+  PetscCall(PairIntegrateFrom_Private(level, support, partner, oblique, own, assembly));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Integrates and chooses the nodes with multipliers. Integrates again if facets at sharp edges do not face
+   the partner, or if supports hold nodes obliquely, as the first integration shows.
+   [in,out] oblique - of the pair: found, or with gap_only as it is */
 static PetscErrorCode PairIntegrateAlong_Private(Level *level, const Support *support, const FacetPartner *partner,
-                                                 PairAssembly *assembly)
+                                                 PetscBool **oblique, PairAssembly *assembly)
 {
   PetscBool changed;
   Vec       own;
 
   PetscFunctionBeginUser;
+  if (!partner->gap_only) PetscCall(VecDuplicate(assembly->normals, &assembly->directions));
   PetscCall(VecDuplicate(assembly->normals, &own));
   PetscCall(PairCopyGhosts_Private(assembly->normals, own));
-  PetscCall(PairIntegrateFrom_Private(level, support, partner, own, assembly));
+  PetscCall(PairIntegrateFrom_Private(level, support, partner, *oblique, own, assembly));
   PetscCall(NodalNormalsSharpen(level, &assembly->nonmortar, assembly->sums.covered, own, &changed));
-  if (changed) {
-    PetscCall(MatDestroy(&assembly->sums.M));
-    PetscCall(MortarIntegralsDestroy(&assembly->sums));
-    PetscCall(PairIntegrateFrom_Private(level, support, partner, own, assembly));
+  if (changed) PetscCall(PairIntegrateAgain_Private(level, support, partner, *oblique, own, assembly));
+  PetscCall(PetscMalloc1(level->num_nodes, &assembly->status));
+  PetscCall(MultiplierStatusDecide(level, support, *oblique, assembly));
+  if (!partner->gap_only && partner->spec->type == PAIR_CONTACT) {
+    PetscCall(ObliqueHoldsFind(level, support, partner, assembly, oblique));
+    if (*oblique) {
+      PetscCall(PairIntegrateAgain_Private(level, support, partner, *oblique, own, assembly));
+      PetscCall(MultiplierStatusDecide(level, support, *oblique, assembly));
+    }
   }
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -198,12 +219,10 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_mortar, 1, MPIU_INT, MPI_SUM, level->comm));
   if (assembly->displacement) PetscCall(DeformedLevelCreate(level, assembly, meshed ? &surface : NULL, &moved));
   PetscCall(NodalNormalsCreate(at, &assembly->nonmortar, &assembly->shape, &assembly->normals));
-  PetscCall(PairIntegrateAlong_Private(at, support, &partner, assembly));
+  PetscCall(PairIntegrateAlong_Private(at, support, &partner, &pair->oblique, assembly));
   PetscCall(ExpressionCheck(level->comm, spec->gap));
   PetscCall(ExpressionCheck(level->comm, spec->gap_offset));
   PetscCall(ExpressionCheck(level->comm, spec->obstacle.gap));
-  PetscCall(PetscMalloc1(level->num_nodes, &assembly->status));
-  PetscCall(MultiplierStatusDecide(level, support, assembly));
   if (assembly->displacement) PetscCall(DeformedLevelDestroy(&moved));
   if (meshed && assembly->sums.points) PetscCall(PairPointsSetMortar(assembly->sums.points, level->dim, &surface));
   if (meshed) PetscCall(MortarSurfaceDestroy(&surface));
@@ -216,6 +235,7 @@ PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly)
   PetscFunctionBeginUser;
   PetscCall(MortarIntegralsDestroy(&assembly->sums));
   PetscCall(VecDestroy(&assembly->normals));
+  PetscCall(VecDestroy(&assembly->directions));
   PetscCall(SideShapeDestroy(&assembly->shape));
   PetscCall(PetscFree(assembly->bulges));
   PetscCall(FacetsDestroy(&assembly->nonmortar));
@@ -396,6 +416,7 @@ PetscErrorCode PairDestroy(Pair *pair)
   PetscCall(PetscFree((*pair)->slides));
   PetscCall(PetscFree((*pair)->beyond));
   PetscCall(PetscFree((*pair)->boundary));
+  PetscCall(PetscFree((*pair)->oblique));
   PetscCall(PetscFree5((*pair)->nodes, (*pair)->D, (*pair)->gap, (*pair)->normal, (*pair)->frame));
   PetscCall(PetscFree(*pair));
   PetscFunctionReturn(PETSC_SUCCESS);

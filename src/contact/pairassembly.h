@@ -7,11 +7,12 @@
 #include "contact/redistribution.h"
 
 typedef struct {
-  const ScenePair  *spec;      /* borrowed */
-  Facets            nonmortar; /* of this rank */
-  SideShape         shape;     /* of these facets */
-  PetscReal        *bulges;    /* of these facets, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
-  Vec               normals;   /* directions of contact: ghosted, dim per node */
+  const ScenePair  *spec;       /* borrowed */
+  Facets            nonmortar;  /* of this rank */
+  SideShape         shape;      /* of these facets */
+  PetscReal        *bulges;     /* of these facets, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  Vec               normals;    /* directions of contact: ghosted, dim per node */
+  Vec               directions; /* the same with their parts that supports fix, or NULL with gap_only */
   MortarIntegrals   sums;
   MultiplierStatus *status; /* [num_nodes] */
   PetscBool gap_only; /* whether gaps are measured alone, in any configuration: no M, and the pair knows its reach */
@@ -54,12 +55,15 @@ PetscErrorCode InitialOverlapFind(const Level *level, const Facets *side, PetscI
 
 /* Removes fixed directions from the normals of nodes, before rays are sent along them. So rays at a plane of
    symmetry are those of the whole body. Nodes whose normal is nearly fixed keep it. Not collective.
+   [in] oblique - nodes that keep it as well, of ObliqueHoldsFind(), or NULL;
    [in,out] normals - ghosted */
-PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *support, Vec normals);
+PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support *support, const PetscBool oblique[],
+                                              Vec normals);
 
 /* Chooses the nodes that may keep a multiplier, by coverage and supports; removes fixed directions from their
-   normals. Not collective. */
-PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, PairAssembly *assembly);
+   normals. Not collective. [in] oblique - nodes that have none, of ObliqueHoldsFind(), or NULL */
+PetscErrorCode MultiplierStatusDecide(Level *level, const Support *support, const PetscBool oblique[],
+                                      PairAssembly *assembly);
 
 /* Resolves nodes of which several pairs would constrain nearly the same direction. The first of these pairs
    keeps the node, or the one with the nearest partner, if partners lie behind each other at the same facets.
