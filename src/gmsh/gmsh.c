@@ -559,6 +559,7 @@ PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, cha
   if (!reader.file) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(GmshReadSections_Private(&reader, names, NULL));
   fclose(reader.file);
+  if (!reason[0]) GmshNamesUnite(names, mesh);
   PetscCall(PetscFree2(reader.tag, reader.node));
   PetscCall(PetscFree4(reader.entity, reader.place, reader.entity_first, reader.entity_end));
   PetscFunctionReturn(PETSC_SUCCESS);

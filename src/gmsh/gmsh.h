@@ -35,6 +35,10 @@ typedef struct {
   PetscInt        *group;       /* numbers of physical groups [num_groups] */
 } GmshMesh;
 
+/* Physical groups with the same name become one, with the number of the first, as a loop over surfaces makes
+   them by Gmsh's interface. Not collective. [in,out] mesh - groups of its elements */
+void GmshNamesUnite(const GmshNames *names, GmshMesh *mesh);
+
 /* Reads formats 2.2 and 4.1. Not collective.
    [out] reason - why the file cannot be used, "" if it can [len] */
 PetscErrorCode GmshRead(const char path[], GmshNames *names, GmshMesh *mesh, char reason[], size_t len);

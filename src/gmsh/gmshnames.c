@@ -41,6 +41,18 @@ PetscBool GmshNamesHas(const GmshNames *names, PetscInt dim, const char name[])
   return GmshNamesFind_Private(names, dim, name) >= 0 ? PETSC_TRUE : PETSC_FALSE;
 }
 
+void GmshNamesUnite(const GmshNames *names, GmshMesh *mesh)
+{
+  for (PetscInt i = 0; i < names->num; i++) {
+    const PetscInt first = GmshNamesFind_Private(names, names->dim[i], names->name[i]);
+
+    if (names->tag[first] == names->tag[i]) continue;
+    for (PetscInt e = 0; e < mesh->num_elements; e++)
+      for (PetscInt g = mesh->first_group[e]; g < mesh->end_group[e] && mesh->type[e]->dim == names->dim[i]; g++)
+        if (mesh->group[g] == names->tag[i]) mesh->group[g] = names->tag[first];
+  }
+}
+
 void GmshNamesDescribe(const GmshNames *names, PetscInt dim, PetscInt tag, char text[], size_t len)
 {
   const size_t used = strlen(text);
