@@ -206,30 +206,32 @@ static PetscErrorCode PairStateDestroy_Private(PairState *state)
 
 /* The largest of three lengths: relative normal displacements of the sides, gaps that have closed, and the
    strain times the extent of the contact. An error of the last one would be a stress as large as the present
-   one. Collective. */
+   one. The extent is twice the largest distance from the mean of its nodes, also in turned scenes.
+   Collective. */
 static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, PetscReal strain, PairState *state)
 {
-  const PetscInt dim = pair->level->dim;
-  PetscReal      largest[7], extent = 0; // displacement or gap, upper ends of x and of -x
+  const PetscInt dim        = pair->level->dim;
+  PetscReal      largest[2] = {0, 0}, sum[4] = {0, 0, 0, 0}; // displacement or gap, radius; of nodes: number, positions
 
   PetscFunctionBeginUser;
-  largest[0] = 0;
-  for (PetscInt i = 1; i < 7; i++) largest[i] = -PETSC_MAX_REAL;
   for (PetscInt a = 0; a < pair->num; a++) {
     largest[0] = PetscMax(largest[0], PetscAbsReal(pair->gap[a] - state->linear[a]));
     if (state->patch[a] < 0 && pair->spec->type != PAIR_TIED) continue;
     largest[0] = PetscMax(largest[0], PetscAbsReal(pair->gap[a]));
-    for (PetscInt k = 0; k < dim; k++) {
-      const PetscReal x = pair->level->coords[pair->nodes[a] * dim + k];
-
-      largest[1 + k] = PetscMax(largest[1 + k], x);
-      largest[4 + k] = PetscMax(largest[4 + k], -x);
-    }
+    sum[0] += 1;
+    for (PetscInt k = 0; k < dim; k++) sum[1 + k] += pair->level->coords[pair->nodes[a] * dim + k];
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 7, MPIU_REAL, MPIU_MAX, pair->level->comm));
-  for (PetscInt k = 0; k < dim && largest[1] > -PETSC_MAX_REAL; k++)
-    extent += PetscSqr(largest[1 + k] + largest[4 + k]);
-  state->scale = PetscMax(PetscMax(largest[0], strain * PetscSqrtReal(extent)), SCALE_ROUNDING * fields->u_ref);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPIU_REAL, MPIU_SUM, pair->level->comm));
+  for (PetscInt a = 0; a < pair->num; a++) {
+    PetscReal square = 0;
+
+    if (state->patch[a] < 0 && pair->spec->type != PAIR_TIED) continue;
+    for (PetscInt k = 0; k < dim; k++)
+      square += PetscSqr(pair->level->coords[pair->nodes[a] * dim + k] - sum[1 + k] / sum[0]);
+    largest[1] = PetscMax(largest[1], PetscSqrtReal(square));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPIU_MAX, pair->level->comm));
+  state->scale = PetscMax(PetscMax(largest[0], strain * 2 * largest[1]), SCALE_ROUNDING * fields->u_ref);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
