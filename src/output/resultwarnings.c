@@ -122,6 +122,8 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   const ObstacleKind obstacle = in->vi->pairs[p]->spec->obstacle.kind;
   Warning            coarse   = {.code = "coarse_contact", .pair = name, .dim = in->scene->dim};
   CoarseContact      found;
+  PetscBool          jumps = PETSC_FALSE;
+  PetscReal          overlap, where[3];
   char               text[128], advice[256], facets[32];
 
   PetscFunctionBeginUser;
@@ -130,11 +132,18 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   *round = (PetscBool)(found.shows && (in->vi->pairs[p]->smooth[0] || in->vi->pairs[p]->smooth[1] ||
                                        (obstacle != OBSTACLE_NONE && obstacle != OBSTACLE_EXPRESSION)));
   if (!found.shows) PetscFunctionReturn(PETSC_SUCCESS);
+  if (*round) PetscCall(GapDiscontinuityFind(in->fields, p, &jumps, &overlap, where));
   PetscCall(PetscArraycpy(coarse.at, found.at, 3));
   PetscCall(NumberWordsVector(coarse.dim, coarse.at, text, sizeof(text)));
   coarse.advice = advice;
   (void)snprintf(facets, sizeof(facets), "%.3g facet%s", (double)found.facets, found.facets == 1 ? "" : "s");
-  if (found.edge) {
+  if (jumps) {
+    (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s", (double)found.size, text);
+    PetscCall(WarningAdd(&coarse,
+                         "the contact of %s is %s wide, and its largest pressure is not resolved, nor a force that "
+                         "displacements cause: the mean gap acts as an additional overlap of %.3g",
+                         name, facets, (double)overlap));
+  } else if (found.edge) {
     (void)snprintf(advice, sizeof(advice), "use the force alone, or round the edge and refine");
     PetscCall(
         WarningAdd(&coarse,
