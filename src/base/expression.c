@@ -106,8 +106,11 @@ static void ExpressionDescribeName_Private(const char text[], const char advice[
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
   char              name[64];
   const char       *nearest;
+  size_t            length = strspn(text, letters);
 
-  snprintf(name, sizeof(name), "%.*s", (int)PetscMax(1, strspn(text, letters)), text);
+  if (length == 0) // a character of UTF-8 whole: a first byte and those that continue it
+    for (length = 1; text[0] && ((unsigned char)text[length] & 0xC0) == 0x80;) length++;
+  snprintf(name, sizeof(name), "%.*s", (int)length, text);
   nearest = UserErrorNearest(name, PETSC_STATIC_ARRAY_LENGTH(known_names), known_names);
   if (nearest && !strcmp(nearest, name))
     snprintf(words, len, "'%s' needs its argument in parentheses", name);

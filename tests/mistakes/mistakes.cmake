@@ -41,6 +41,7 @@ mistake(formula_function    SAYS "-upper_body_force \"sin x,0\"" "'sin' needs it
 mistake(formula_product     SAYS "-upper_body_force \"2x,0\"" "a product needs a '*'" ARGS -upper_body_force "2x,0")
 mistake(formula_power       SAYS "-upper_body_force \"x**2,0\"" "a power is x^2" ARGS -upper_body_force "x**2,0")
 mistake(formula_choice      SAYS "'if' is not known here" "a choice is x>0 ? 1 : 0" ARGS -upper_body_force "if(x>0,1,0),0")
+mistake(formula_quotes      SAYS "'“' is not known here" ARGS -upper_body_force "“0,1”")
 mistake(formula_and         SAYS "'and' is &&" ARGS -upper_body_force "x>0 and y>0,0")
 mistake(formula_open        SAYS "1 component given, 2 wanted" "a parenthesis is not closed" ARGS -upper_body_force "(x,0")
 mistake(number_blank        SAYS "-upper_young \"210 000\"" "a number has no blanks" ARGS -upper_young "210 000")
