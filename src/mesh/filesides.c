@@ -105,10 +105,11 @@ PetscErrorCode ExtractCheckFacets(const Extract *x, const BodyList *list, char s
     PetscCall(FacetCountSenses_Private(x, list, f, num));
     if (num[0] <= 1 && num[1] <= 1) continue;
     PetscCall(FacetDescribe_Private(x, list, f, place));
-    snprintf(sentence, MESH_SENTENCE,
-             "body '%s': cells of %.400s overlap at%.100s; if a part is in two physical groups, choose one with "
-             "-%s_mesh_region",
-             x->body->name, x->body->mesh_file, place, x->body->name);
+    snprintf(
+        sentence, MESH_SENTENCE,
+        "body '%s': cells of %.400s overlap at%.100s; mend the mesh if a node is outside the cells around it; if a "
+        "part is in two physical groups, choose one with -%s_mesh_region",
+        x->body->name, x->body->mesh_file, place, x->body->name);
     break;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
