@@ -22,7 +22,8 @@ struct _n_LargestBut {
 
 void LargestTake(Largest *largest, PetscReal value, PetscInt dim, const PetscReal at[], PetscReal owner)
 {
-  const PetscReal margin = SAME_VALUE * PetscAbsReal(largest->value);
+  const PetscBool any    = (PetscBool)(largest->value > -PETSC_MAX_REAL); // else a margin would overflow
+  const PetscReal margin = any ? SAME_VALUE * PetscAbsReal(largest->value) : 0;
   PetscBool       first  = (PetscBool)(value > largest->value + margin);
 
   if (!(value > largest->value - margin)) return;
