@@ -10,6 +10,7 @@
 #include "problem/elasticity.h"
 #include "result/barfloors.h"
 #include "result/cellstress.h"
+#include "result/compliance.h"
 #include "result/pairsum.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
@@ -17,6 +18,10 @@ enum { F = ELEMENT_MAX_FACET_NODES };
 /* Measured (tests/bench/README.md): with them 95 per cent of all bars hold. The factor of a body is larger:
    recovery finds half of the error of a body that is never refined, a quarter of its square. */
 static const PetscReal WHOLE_FACTOR = 2, BODY_FACTOR = 6, LOCAL_FACTOR = 3;
+
+/* Of h max |e|, the largest error of a function of order 1 or 2 between two nodes at a distance h, if e is
+   the error of its slope. */
+static const PetscReal PLACE_FACTOR[] = {0.25, 0.1};
 
 /* The relative error, squared; a body without strain energy has no error either. */
 static PetscReal BarFloorsGetRelative_Private(PetscReal squared, PetscReal norm)
@@ -137,8 +142,10 @@ static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFlo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 3 max |s* - s| over the points of the cell that holds a probe. Collective. */
-static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *probe, PetscReal *floor)
+/* Over the points of the cell that holds a probe. Collective. [in,out] compliance; [out] floor - of stresses;
+   place - of displacements */
+static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *probe, Compliance *compliance,
+                                               PetscReal *floor, PetscReal *place)
 {
   Level             *level = fields->vi->level;
   Vec                local;
@@ -147,11 +154,11 @@ static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *
   ElementRule       *rules, *rule;
   CellStress         cell;
   PetscInt           c;
-  PetscReal          xi[3], stress[CELL_STRESSES], det;
+  const PetscReal   *L;
+  PetscReal          xi[3], stress[CELL_STRESSES], det, both[2] = {0, 0};
   PetscBool          found;
 
   PetscFunctionBeginUser;
-  *floor = 0;
   PetscCall(LevelLocate(level, probe->body, probe->at, &c, xi, &found));
   PetscCall(ElasticityRulesCreate(level->scene, &rules));
   PetscCall(PetscNew(&rule));
@@ -164,47 +171,58 @@ static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *
 
     ElementRuleSet(type, 2 * ElementOrder(type), rule);
     PetscCall(CellStressSet(level->scene, level, c, &rules[type], u, &cell));
+    PetscCall(ComplianceGet(compliance, cell.material, probe->at, &L));
     for (PetscInt q = 0; q < rule->num; q++) {
       PetscCall(CellStressAtPoint(level->scene, &cell, rule, q, stress, &det, NULL));
       for (PetscInt k = 0; k < CELL_STRESSES; k++) {
         for (PetscInt i = 0; i < n; i++)
           stress[k] -= rule->phi[q * n + i] * PetscRealPart(NodalStressAt(&recovered, nodes[i], cell.material)[k]);
-        *floor = PetscMax(*floor, LOCAL_FACTOR * PetscAbsReal(stress[k]));
+        both[0] = PetscMax(both[0], LOCAL_FACTOR * PetscAbsReal(stress[k]));
       }
+      both[1] = PetscMax(both[1], LOCAL_FACTOR * ComplianceStrain(compliance, L, stress));
     }
+    both[1] *= PLACE_FACTOR[ElementOrder(type) - 1] * ElementLongestEdge(type, level->dim, cell.X);
   }
   PetscCall(NodalStressRestoreArrays(&fields->stress, &recovered));
   PetscCall(VecRestoreArrayRead(local, &u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
   PetscCall(PetscFree(rule));
   PetscCall(PetscFree(rules));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, floor, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, both, 2, MPIU_REAL, MPIU_MAX, level->comm));
+  *floor = both[0];
+  *place = both[1];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
 {
   const Scene scene = fields->vi->scene;
-  PetscReal   potential;
+  PetscReal   potential, relative;
+  Compliance  compliance;
   Estimate    estimate;
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGet(fields, &estimate));
-  PetscCall(PetscCalloc3(scene->num_bodies, &floors->body, scene->num_pairs, &floors->pair, scene->num_probes,
-                         &floors->stress));
+  PetscCall(PetscCalloc5(scene->num_bodies, &floors->body, scene->num_bodies, &floors->side, scene->num_pairs,
+                         &floors->pair, scene->num_probes, &floors->stress, scene->num_probes, &floors->place));
   floors->whole = WHOLE_FACTOR * BarFloorsGetRelative_Private(estimate->squared, estimate->norm);
   PetscCall(FieldsEnergy(fields, floors->body, &potential));
-  for (PetscInt b = 0; b < scene->num_bodies; b++)
-    floors->body[b] = BODY_FACTOR * BarFloorsGetRelative_Private(estimate->body[b], 2 * floors->body[b]);
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    relative        = BarFloorsGetRelative_Private(estimate->body[b], 2 * floors->body[b]);
+    floors->body[b] = BODY_FACTOR * relative;
+    floors->side[b] = WHOLE_FACTOR * relative;
+  }
   for (PetscInt p = 0; p < scene->num_pairs; p++) PetscCall(BarFloorsOfPair_Private(fields, p, &floors->pair[p]));
+  PetscCall(ComplianceCreate(scene, &compliance));
   for (PetscInt i = 0; i < scene->num_probes; i++)
-    PetscCall(BarFloorsOfProbe_Private(fields, &scene->probes[i], &floors->stress[i]));
+    PetscCall(BarFloorsOfProbe_Private(fields, &scene->probes[i], &compliance, &floors->stress[i], &floors->place[i]));
+  PetscCall(ComplianceDestroy(&compliance));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BarFloorsDestroy(BarFloors *floors)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree3(floors->body, floors->pair, floors->stress));
+  PetscCall(PetscFree5(floors->body, floors->side, floors->pair, floors->stress, floors->place));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

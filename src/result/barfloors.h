@@ -15,8 +15,10 @@ typedef struct {
 typedef struct {
   PetscReal   whole;  /* 2 (eta / |u|)^2: forces, reactions */
   PetscReal  *body;   /* 6 (eta_B / |u|_B)^2: displacements and energies of a body [num_bodies] */
+  PetscReal  *side;   /* 2 (eta_B / |u|_B)^2: reactions of a body's sides, of the largest one's size [num_bodies] */
   PairFloors *pair;   /* [num_pairs] */
   PetscReal  *stress; /* 3 max |s* - s| over the cell of each probe [num_probes] */
+  PetscReal  *place;  /* 3/4 h max |C^-1 (s* - s)| there, 3/10 of order 2: displacements, not relative [num_probes] */
 } BarFloors;
 
 /* Collective. [out] floors - to be freed by BarFloorsDestroy() */

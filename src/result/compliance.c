@@ -40,18 +40,40 @@ PetscErrorCode ComplianceGet(Compliance *compliance, PetscInt material, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])
+/* [out] s - L^-1 of the stress [num] */
+static void ComplianceSolveLower_Private(const Compliance *compliance, const PetscReal L[],
+                                         const PetscReal stress[CELL_STRESSES], PetscReal s[])
 {
   const PetscInt num = compliance->num;
-  PetscReal      s[COMPLIANCE_MAX_STRAINS], sum = 0;
 
   MaterialPickStrains(compliance->scene->model, stress, s);
-  for (PetscInt i = 0; i < num; i++) { // |L^-1 s|^2
+  for (PetscInt i = 0; i < num; i++) {
     for (PetscInt k = 0; k < i; k++) s[i] -= L[i * num + k] * s[k];
     s[i] /= L[i * num + i];
-    sum += s[i] * s[i];
   }
+}
+
+PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])
+{
+  PetscReal s[COMPLIANCE_MAX_STRAINS], sum = 0;
+
+  ComplianceSolveLower_Private(compliance, L, stress, s);
+  for (PetscInt i = 0; i < compliance->num; i++) sum += s[i] * s[i];
   return sum;
+}
+
+PetscReal ComplianceStrain(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])
+{
+  const PetscInt num = compliance->num;
+  PetscReal      s[COMPLIANCE_MAX_STRAINS], largest = 0;
+
+  ComplianceSolveLower_Private(compliance, L, stress, s);
+  for (PetscInt i = num - 1; i >= 0; i--) {
+    for (PetscInt k = i + 1; k < num; k++) s[i] -= L[k * num + i] * s[k];
+    s[i] /= L[i * num + i];
+    largest = PetscMax(largest, PetscAbsReal(s[i]));
+  }
+  return largest;
 }
 
 void ComplianceDyad(PetscInt dim, const PetscReal n[], PetscReal dyad[CELL_STRESSES])

@@ -20,6 +20,9 @@ PetscErrorCode ComplianceDestroy(Compliance *compliance);
 PetscErrorCode ComplianceGet(Compliance *compliance, PetscInt material, const PetscReal x[], const PetscReal **L);
 /* s : C^-1 : s. Not collective. [in] L - of ComplianceGet(); [in] stress - xx,yy,zz,yz,xz,xy */
 PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES]);
+/* The largest component of C^-1 s. Not collective. [in] L - of ComplianceGet(); [in] stress -
+   xx,yy,zz,yz,xz,xy */
+PetscReal ComplianceStrain(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES]);
 /* The dyad of a unit vector as a stress: xx,yy,zz,yz,xz,xy. Not collective. [in] n - [dim] */
 void ComplianceDyad(PetscInt dim, const PetscReal n[], PetscReal dyad[CELL_STRESSES]);
 /* E' = 1 / (nn : C^-1 : nn), the modulus along a unit vector. Not collective. [in] n - [dim] */

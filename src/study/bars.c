@@ -1,8 +1,10 @@
 /* bars.c -- error bars of the numbers of the summary. */
 #include "base/compat.h"
 #include "base/json.h"
+#include "kernel/vector.h"
 #include "study/bars.h"
 #include <math.h>
+#include <string.h>
 
 enum {
   MAX_ITEMS   = 8, /* largest number of items of an array */
@@ -34,6 +36,8 @@ static const PetscReal CORNER_GROWS = 0.6;
 typedef enum {
   FLOOR_WHOLE,  /* relative, of the whole solution */
   FLOOR_BODY,   /* relative, of a body */
+  FLOOR_SIDE,   /* the same, of the body's largest reaction */
+  FLOOR_PROBE,  /* of a probe's displacement: of its body and of its cell */
   FLOOR_STRESS, /* of a probe's cell */
   FLOOR_PRESSURE,
   FLOOR_MEAN,
@@ -50,8 +54,10 @@ static const struct {
      {"mean_pressure", FLOOR_MEAN}, {"max_pressure", FLOOR_PRESSURE},   {"max_pressure_covered", FLOOR_PRESSURE},
      {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_PLACE}},
   FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_WHOLE}, {"max_slip", FLOOR_WHOLE}, {"dissipation", FLOOR_WHOLE}},
-  PROBE_NUMBERS[]    = {
-         {"displacement", FLOOR_BODY}, {"stress", FLOOR_STRESS}, {"von_mises", FLOOR_STRESS}, {"principal", FLOOR_STRESS}};
+  PROBE_NUMBERS[]    = {{"displacement", FLOOR_PROBE},
+                        {"stress", FLOOR_STRESS},
+                        {"von_mises", FLOOR_STRESS},
+                        {"principal", FLOOR_STRESS}};
 
 /* A number of a mesh's row, or the numbers of an array. */
 typedef struct {
@@ -279,21 +285,54 @@ static PetscBool BarsStressGrows_Private(PetscInt num, const PetscReal Q[])
   return (PetscBool)(last - first > GROWN * last && last - middle > STILL_GROWS * (middle - first) && middle > first);
 }
 
+/* The largest reaction of a body. [in] path - of one of its reactions, <body>:<side> */
+static PetscReal BarsGetLargestReaction_Private(const cJSON *row, const BarPath *path)
+{
+  const size_t length  = strcspn(path->owner, ":") + 1;
+  PetscReal    largest = 0, values[MAX_ITEMS];
+  const cJSON *item;
+  PetscBool    list;
+
+  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(row, path->section))
+  {
+    const BarPath other = {path->section, item->string, NULL, NULL};
+
+    if (!strncmp(item->string, path->owner, length))
+      largest = PetscMax(largest, VectorNorm(BarsRead_Private(row, &other, values, &list), values));
+  }
+  return largest;
+}
+
+/* What a floor needs beside the number: the area of contact for mean pressures, the body's largest reaction
+   for reactions. */
+static PetscReal BarsGetBeside_Private(const cJSON *row, const BarPath *path, FloorKind kind)
+{
+  const BarPath area              = {path->section, path->owner, "area", NULL};
+  PetscReal     values[MAX_ITEMS] = {0};
+  PetscBool     list;
+
+  if (kind == FLOOR_SIDE) return BarsGetLargestReaction_Private(row, path);
+  if (kind == FLOOR_MEAN) (void)BarsRead_Private(row, &area, values, &list);
+  return values[0];
+}
+
 /* The floor of a number.
-   [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector; [in] area - of
-   contact, for mean pressures */
+   [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector; [in] beside -
+   of BarsGetBeside_Private() */
 static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscReal size,
-                                      PetscReal area)
+                                      PetscReal beside)
 {
   const BarFloors *floors = history->floors;
 
   switch (kind) {
   case FLOOR_BODY: return floors->body[owner] * size;
+  case FLOOR_SIDE: return PetscMax(floors->whole * size, floors->side[owner] * beside);
+  case FLOOR_PROBE: return floors->body[history->scene->probes[owner].body] * size + floors->place[owner];
   case FLOOR_STRESS: return floors->stress[owner];
   case FLOOR_PRESSURE: return floors->pair[owner].pressure;
   case FLOOR_EDGE: return floors->pair[owner].edge;
   case FLOOR_AREA: return floors->pair[owner].area;
-  case FLOOR_MEAN: return size * (floors->whole + (area > 0 ? floors->pair[owner].area / area : 0));
+  case FLOOR_MEAN: return size * (floors->whole + (beside > 0 ? floors->pair[owner].area / beside : 0));
   default: return floors->whole * size;
   }
 }
@@ -305,20 +344,18 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
                                       const char name[], cJSON *to, PetscBool *grows)
 {
   const PetscInt last = history->num - 1;
-  const BarPath  area = {path->section, path->owner, "area", NULL};
-  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], size, covered[MAX_ITEMS];
+  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], size, beside;
   PetscBool      list, other;
   PetscInt       num;
 
   PetscFunctionBeginUser;
   num = BarsRead_Private(history->mesh[last].row, path, values, &list);
   if (!num) PetscFunctionReturn(PETSC_SUCCESS);
-  size       = BarsGetSize_Private(history->mesh[last].row, path, kind, num, values);
-  covered[0] = 0;
-  if (kind == FLOOR_MEAN) (void)BarsRead_Private(history->mesh[last].row, &area, covered, &other);
+  size   = BarsGetSize_Private(history->mesh[last].row, path, kind, num, values);
+  beside = BarsGetBeside_Private(history->mesh[last].row, path, kind);
   PetscCall(PetscMalloc1(history->num, &Q));
   for (PetscInt i = 0; i < num; i++) {
-    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, size, covered[0]);
+    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, size, beside);
 
     for (PetscInt j = 0; j < history->num; j++) {
       PetscReal row[MAX_ITEMS];
@@ -404,6 +441,18 @@ static PetscErrorCode BarsAddPairs_Private(const BarHistory *history, cJSON *bar
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The body of a reaction. [in] key - <body>:<side> */
+static PetscInt BarsFindBody_Private(const Scene scene, const char key[])
+{
+  const size_t length = strcspn(key, ":");
+  PetscInt     b      = 0;
+
+  while (b + 1 < scene->num_bodies &&
+         (strlen(scene->bodies[b].name) != length || strncmp(scene->bodies[b].name, key, length)))
+    b++;
+  return b;
+}
+
 static PetscErrorCode BarsAddReactions_Private(const BarHistory *history, cJSON *bars)
 {
   cJSON       *reactions = cJSON_AddObjectToObject(bars, "reactions");
@@ -414,7 +463,8 @@ static PetscErrorCode BarsAddReactions_Private(const BarHistory *history, cJSON 
   {
     const BarPath path = {"reactions", item->string, NULL, NULL};
 
-    PetscCall(BarsAdd_Private(history, &path, FLOOR_WHOLE, 0, item->string, reactions, NULL));
+    PetscCall(BarsAdd_Private(history, &path, FLOOR_SIDE, BarsFindBody_Private(history->scene, item->string),
+                              item->string, reactions, NULL));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -431,8 +481,7 @@ static PetscErrorCode BarsAddProbes_Private(const BarHistory *history, cJSON *ba
     for (size_t k = 0; k < PETSC_STATIC_ARRAY_LENGTH(PROBE_NUMBERS); k++) {
       const BarPath path = {"probes", spec->name, PROBE_NUMBERS[k].key, NULL};
 
-      PetscCall(BarsAdd_Private(history, &path, PROBE_NUMBERS[k].kind,
-                                PROBE_NUMBERS[k].kind == FLOOR_BODY ? spec->body : i, path.key, probe, NULL));
+      PetscCall(BarsAdd_Private(history, &path, PROBE_NUMBERS[k].kind, i, path.key, probe, NULL));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
