@@ -229,14 +229,13 @@ PetscErrorCode EnvelopeFactorKeepRows(Mat S, IS rows, Mat own)
   PetscScalar       *label;
   const PetscScalar *labels;
   Kept              *kept;
-  Mat                base = NULL;
+  Mat                base;
   Vec                all, some;
   VecScatter         scatter;
 
   PetscFunctionBeginUser;
-  PetscCall(KeptGet_Private(S, &kept));
-  if (!kept) PetscCall(PetscObjectQuery((PetscObject)S, BASE, (PetscObject *)&base));
-  if (!kept) PetscCall(KeptGet_Private(base, &kept));
+  PetscCall(EnvelopeFactorGetBase(S, &base));
+  PetscCall(KeptGet_Private(base, &kept));
   if (!kept) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MatCreateVecs(S, NULL, &all));
   PetscCall(VecGetLocalSize(all, &n));
@@ -309,6 +308,19 @@ PetscErrorCode EnvelopeFactorSetBase(Mat S, Mat from)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscObjectCompose((PetscObject)S, BASE, (PetscObject)from));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EnvelopeFactorGetBase(Mat S, Mat *base)
+{
+  Kept *kept;
+
+  PetscFunctionBeginUser;
+  PetscCall(KeptGet_Private(S, &kept));
+  *base = S;
+  if (!kept) PetscCall(PetscObjectQuery((PetscObject)S, BASE, (PetscObject *)base));
+  PetscCall(KeptGet_Private(*base, &kept));
+  if (!kept) *base = NULL;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

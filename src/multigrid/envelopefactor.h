@@ -28,6 +28,9 @@ PetscErrorCode EnvelopeFactorGet(Mat S, EnvelopeParts **parts);
 /* S has the blocks of a matrix that keeps its factors; blocks with the same rows have the same factors. Not
    collective. [in] from - referenced by S */
 PetscErrorCode EnvelopeFactorSetBase(Mat S, Mat from);
+/* The matrix whose blocks S has. Not collective. [out] base - borrowed; S itself if it keeps its own, NULL
+   where there are no blocks */
+PetscErrorCode EnvelopeFactorGetBase(Mat S, Mat *base);
 /* Call it after S was multiplied by a number. Not collective. */
 PetscErrorCode EnvelopeFactorScale(Mat S, PetscReal factor);
 /* Makes pc the inverse of S. Not collective.

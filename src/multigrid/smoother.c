@@ -13,9 +13,9 @@
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/blocksmoother.h"
+#include "multigrid/dealtfactor.h"
 #include "multigrid/envelopefactor.h"
 #include "multigrid/galerkin.h"
-#include "multigrid/graphcomponents.h"
 #include "multigrid/patchsmoother.h"
 #include "multigrid/smoother.h"
 #include "multigrid/truncationupdate.h"
@@ -296,27 +296,7 @@ PetscErrorCode SmootherScale(Mat S, PetscReal factor)
   if (by_body) PetscCall(BodySmootherGetBlocks(S, &blocks));
   if (blocks) PetscCall(MatScale(blocks, factor)); // the shell has its factors from before
   if (!by_body) PetscCall(EnvelopeFactorScale(S, factor));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* One rank solves for each block that ranks cut. */
-static PetscErrorCode SmootherSetSubdomains_Private(PC pc, Mat S)
-{
-  KSP *own;
-  IS   rows;
-  Mat  few;
-
-  PetscFunctionBeginUser;
-  PetscCall(PCSetType(pc, PCASM));
-  PetscCall(PCASMSetType(pc, PC_ASM_BASIC));
-  PetscCall(PCASMSetOverlap(pc, 0));
-  PetscCall(GraphComponentsGather(S, &rows));
-  PetscCall(PCASMSetLocalSubdomains(pc, 1, &rows, &rows));
-  PetscCall(PCSetUp(pc));
-  PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
-  PetscCall(KSPGetOperators(own[0], NULL, &few));
-  PetscCall(EnvelopeFactorKeepRows(S, rows, few));
-  PetscCall(ISDestroy(&rows));
+  if (!by_body) PetscCall(DealtFactorScale(S, factor));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -346,8 +326,7 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
 {
   PetscMPIInt size;
   PetscBool   by_body = PETSC_FALSE;
-  KSP        *own;
-  PC          inner;
+  PC          inner   = pc;
 
   PetscFunctionBeginUser;
   if (S) PetscCall(BodySmootherIs(S, &by_body));
@@ -356,15 +335,8 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)S), &size));
-  if (size > 1) {
-    PetscCall(SmootherSetSubdomains_Private(pc, S));
-    PetscCall(PCASMGetSubKSP(pc, NULL, NULL, &own));
-    PetscCall(KSPSetType(own[0], KSPPREONLY));
-    PetscCall(KSPGetPC(own[0], &inner));
-    PetscCall(SmootherConfigureFactor_Private(inner));
-  } else {
-    PetscCall(SmootherConfigureFactor_Private(pc));
-  }
+  if (size > 1) PetscCall(DealtFactorSetPC(pc, S, &inner));
+  PetscCall(SmootherConfigureFactor_Private(inner));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -375,7 +347,7 @@ PetscErrorCode SmootherRenew(PC pc)
 
   PetscFunctionBeginUser;
   PetscCall(PCGetOperators(pc, &A, &S));
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCASM, &dealt));
+  PetscCall(DealtFactorIs(pc, &dealt));
   PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCJACOBI, &diagonal));
   PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCMAT, &shell));
   PetscCall(BodySmootherIs(S, &by_body));
