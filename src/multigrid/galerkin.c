@@ -2,6 +2,7 @@
    entry by entry, but need room for A P. */
 #include "base/compat.h"
 #include "multigrid/galerkin.h"
+#include "multigrid/transposedproduct.h"
 
 PetscErrorCode GalerkinProduct(Mat A, Mat P, Mat *product)
 {
@@ -9,8 +10,7 @@ PetscErrorCode GalerkinProduct(Mat A, Mat P, Mat *product)
 
   PetscFunctionBeginUser;
   PetscCall(MatMatMult(A, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &AP));
-  PetscCall(MatTransposeMatMult(P, AP, MAT_INITIAL_MATRIX, PETSC_DEFAULT, product));
-  PetscCall(MatProductClear(*product)); // it would keep its factors
+  PetscCall(TransposedProductCreate(P, AP, product));
   PetscCall(MatDestroy(&AP));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

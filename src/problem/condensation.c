@@ -4,6 +4,7 @@
    of the nonmortar sides alone. Of W no other rows are needed, and Z is as small. Every rank works on its own
    of these rows. */
 #include "base/compat.h"
+#include "multigrid/transposedproduct.h"
 #include "problem/condensation.h"
 
 /* E = T - I without the zeros. [out] rows - of this rank, that are not empty; owned by the caller [num] */
@@ -109,8 +110,7 @@ PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z)
   for (PetscInt i = 0; i < num; i++) rows[i] = begin + i;
   PetscCall(CondensationCreateRows_Private(num, rows, few, W, &left));
   PetscCall(CondensationCreateRows_Private(num, rows, W, few, &right));
-  PetscCall(MatTransposeMatMult(left, right, MAT_INITIAL_MATRIX, PETSC_DEFAULT, Z)); // both terms at once
-  PetscCall(MatProductClear(*Z)); // Z would keep references to its factors
+  PetscCall(TransposedProductCreate(left, right, Z)); // both terms at once
   PetscCall(MatDestroy(&left));
   PetscCall(MatDestroy(&right));
   PetscCall(MatDestroy(&W));
