@@ -4,7 +4,7 @@
    partitioned anew: so every level is balanced, and sides that may meet share ranks. For the prolongation,
    the first rank gathers the global nodes of all cells of both levels. It knows the parent of each cell, and
    the position of the cell in it. */
-#include "mesh/forest.h"
+#include "mesh/arcnormals.h"
 #include "base/compat.h"
 
 PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[], MeshForest *forest)
@@ -310,6 +310,7 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   PetscCall(LevelCreateFromPlex(mesh->scene, dm, &curves, fine));
   PetscCall(MeshForestGather(forest, fine, origin));
   PetscCall(MeshForestSetHanging(forest, fine));
+  PetscCall(MeshForestSetNormals(forest, fine));
   PetscCall(MeshForestSetAges_Private(forest, before, fine));
   PetscCall(MeshForestProlong_Private(forest, before, fine - 1, fine));
   mesh->num_levels++;

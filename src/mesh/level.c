@@ -100,6 +100,7 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscCall(PetscFree(level->cell_nodes));
   PetscCall(MatDestroy(&level->prolongation));
   PetscCall(MatDestroy(&level->conforming));
+  PetscCall(VecDestroy(&level->arcs));
   PetscCall(PetscFree(level->inner));
   PetscCall(PetscFree(level->hanging.start));
   PetscCall(PetscFree(level->hanging.node));

@@ -4,6 +4,7 @@
    are needed: the few facets there are sent to all ranks. */
 #include "base/compat.h"
 #include "kernel/frame.h"
+#include "mesh/arcnormals.h"
 #include "mesh/sidehanging.h"
 #include "kernel/vector.h"
 
@@ -510,6 +511,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
     PetscCall(SideShapeSetEnds_Private(&side, END_TURN, INNER_TURN, known));
     PetscCall(SideShapeSetEnds_Private(&side, 0, END_TURN, known));
+    PetscCall(ArcNormalsTake(level, facets, shape));
     PetscCall(SideHangingSetShape(level, facets, shape));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
     PetscCall(SideHangingSetShape(level, facets, shape));
