@@ -2,6 +2,7 @@
 #include "base/compat.h"
 #include "output/summary.h"
 #include "base/warning.h"
+#include "result/calibration.h"
 #include "result/coarsecontact.h"
 #include "result/estimate.h"
 #include "result/frictionfields.h"
@@ -14,6 +15,9 @@
 
 /* A solver that stops at a discretisation error above this part of the solution gives useless numbers. */
 static const PetscReal COARSE = 0.1;
+/* A result is useless if its estimated error is this part of the solution. Strain energies below STRAINED are
+   roundoff, as of a rigid motion, in units of the squared displacements times the diagonal of K. */
+static const PetscReal AS_LARGE = 1, STRAINED = 1e-12;
 /* An initial overlap above this part of the displacements is an interference. The deviation of facets from
    their curves matters above this part of the overlap. */
 static const PetscReal OVERLAP_SHOWS = 0.1, CURVE_SHOWS = 0.1;
@@ -274,6 +278,25 @@ static PetscErrorCode SummaryWarnCoarseMesh_Private(const SummaryInput *in)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Warns of an error that is estimated to be as large as the solution. The loop of -adapt judges its own. */
+static PetscErrorCode SummaryWarnLargeError_Private(const SummaryInput *in)
+{
+  const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or use -adapt"};
+  const PetscReal scale  = in->vi->stiffness * PetscSqr(in->fields->u_ref) * (PetscReal)in->vi->level->num_global;
+  PetscReal       relative, theta;
+  Estimate        estimate;
+
+  PetscFunctionBeginUser;
+  if (in->estimate || (in->passing && !in->fields->estimate)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EstimateGet(in->fields, &estimate));
+  PetscCall(CalibrationGetStandard(in->vi->level, &theta));
+  relative = EstimateGetRelative(estimate, theta);
+  if (!(relative >= AS_LARGE) || estimate->norm <= STRAINED * scale) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(WarningAdd(
+      &coarse, "the mesh is too coarse: in the energy norm the error is estimated to be as large as the solution"));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Warns of a second solver that has not converged. */
 static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
 {
@@ -404,18 +427,19 @@ static PetscErrorCode SummaryWarnHidden_Private(const SummaryInput *in, PetscBoo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Warns of a scene without loads, or of a pair without contact; of load steps, at the last one.
-   Collective. */
-static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
+/* Warns of a scene without loads, or of a pair without contact; of load steps, at the last one. Collective.
+   [out] hidden - whether a pair touches between nodes alone */
+static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in, PetscBool *hidden)
 {
   const SceneSteps *steps = &in->scene->steps;
   const Warning     still = {.code = "no_load", .advice = "give loads, displacements, or an interference"};
-  PetscBool         rest  = PETSC_FALSE, hidden;
+  PetscBool         rest  = PETSC_FALSE;
 
   PetscFunctionBeginUser;
+  *hidden = PETSC_FALSE;
   if (steps->num && in->scene->time != steps->t[steps->num - 1]) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SummaryWarnHidden_Private(in, &hidden));
-  if (hidden) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SummaryWarnHidden_Private(in, hidden));
+  if (*hidden) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SummaryIsAtRest_Private(in, &rest));
   if (rest)
     PetscCall(WarningAdd(&still, "nothing moves: all loads and given displacements are zero, and no bodies overlap"));
@@ -437,7 +461,7 @@ static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in)
 
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
-  PetscBool coarse = PETSC_FALSE, round = PETSC_FALSE;
+  PetscBool coarse = PETSC_FALSE, round = PETSC_FALSE, hidden;
 
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
@@ -455,10 +479,11 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));
   PetscCall(SummaryWarnNotUnique_Private(input));
-  PetscCall(SummaryWarnIdle_Private(input));
+  PetscCall(SummaryWarnIdle_Private(input, &hidden));
   if (!input->fields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ValidityWarn(input->fields));
   PetscCall(SummaryWarnCoarseMesh_Private(input));
+  if (!hidden) PetscCall(SummaryWarnLargeError_Private(input));
   PetscCall(SummaryWarnUnconfirmed_Private(input));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
