@@ -434,7 +434,7 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {
     PetscCall(PetscSNPrintf(why, sizeof(why),
-                            "has cost %.0f products with the matrix; a factorization costs about %.0f",
+                            "has cost %.0f products with the matrix, over a quarter of a factorization (about %.0f)",
                             (double)report->work, (double)report->predicted_cost));
   } else {
     PetscCall(PetscStrncpy(why, "did not converge", sizeof(why)));

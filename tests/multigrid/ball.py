@@ -5,7 +5,7 @@ from judge import near, require
 
 
 def judge(run):
-    said = re.search(r"cost (\d+) products .* costs about (\d+)", run.stderr)
+    said = re.search(r"cost (\d+) products .* factorization \(about (\d+)\)", run.stderr)
     require(said, f"no factorization: {run.stderr}")
     work, cost = map(int, said.groups())
     require(cost > 600 and work < 0.35 * cost, f"{work} products before a factorization that costs {cost}")
