@@ -347,7 +347,7 @@ PetscErrorCode PairsSlideElsewhere(Level *level, const Support *support, PetscIn
     const Pair pair = pairs[p];
     PetscBool *slides;
 
-    if (!pair->slides) continue;
+    if (!ScenePairHasFriction(pair->spec)) continue;
     PetscCall(PetscMalloc1(pair->num, &slides));
     PetscCall(PairFindSliding(pair, support, slides));
     for (PetscInt a = 0; a < pair->num; a++)

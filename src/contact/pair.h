@@ -36,8 +36,8 @@ struct _n_Pair {
   PetscBool *partly_covered; /* whether a facet around the node is covered in part; boundary has where [num] */
   PetscBool *fully_covered;  /* whether a facet around the node is covered completely [num] */
   PetscReal *cover;          /* the part of the facets around the node that is covered, 0..1 [num] */
-  PetscBool *slides;  /* with friction: whether a support ever moves the node along its partner; else NULL [num] */
-  PetscBool *oblique; /* nodes without a multiplier because supports hold them obliquely, or NULL [num_nodes] */
+  PetscBool *slides;         /* with friction: whether a support ever moves the node along its partner [num] */
+  PetscBool *oblique;        /* nodes without a multiplier because supports hold them obliquely, or NULL [num_nodes] */
   PetscInt   num_beyond;
   PetscInt
       *beyond; /* local nodes without a multiplier that the partner hardly covers: they lie outside it [num_beyond] */
