@@ -191,14 +191,15 @@ static PetscErrorCode BodyListRaise_Private(BodyList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The curve of an edge whose ends are on facets in common. Returns whether it bends. [out] offset - of its
-   middle [dim] */
+/* The curve of an edge whose ends are on facets in common. Returns whether one of these is smooth.
+   [out] offset - of its middle [dim]; zero where the curve is straight */
 static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords[], PetscInt a, PetscInt b,
                                         PetscReal offset[])
 {
   const TreeArcs *arcs = &tree->arcs;
   const PetscInt  dim = tree->list.dim, low = PetscMin(a, b), high = PetscMax(a, b);
   PetscScalar     sums[2 * 3 + 1] = {0};
+  PetscBool       round           = PETSC_FALSE;
 
   if (high >= arcs->num_vertices) return PETSC_FALSE;
   for (PetscInt i = arcs->start[low]; i < arcs->start[low + 1]; i++) {
@@ -210,6 +211,7 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
       if (other->facet != mine->facet) continue;
       for (PetscInt d = 0; d < dim && arcs->flat[mine->facet]; d++) sums[dim + 1 + d] += arcs->plane[mine->facet][d];
       if (!arcs->round[mine->facet]) continue;
+      round = PETSC_TRUE;
       ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal, offset);
       for (PetscInt d = 0; d < dim; d++) {
         sums[d] += offset[d];
@@ -217,10 +219,12 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
       }
     }
   }
-  return ArcSumsToOffset(dim, sums, offset);
+  if (!ArcSumsToOffset(dim, sums, offset)) (void)PetscArrayzero(offset, dim);
+  return round;
 }
 
-/* Puts middle nodes of cells of order 2 on the curves of their edges. */
+/* Puts middle nodes of cells of order 2 on the curves of their edges. Straight ones among them are not where
+   the parent's curved face has them: that is a parabola, also between two lines of a cylinder. */
 static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
 {
   const PetscInt dim = list->dim;

@@ -1,7 +1,7 @@
 /* test_adaptcurves.c -- curved sides of meshes that are bisected: of files of first and second order, and of maps, on any number of ranks. */
 #include "mesh_scene.h"
 
-enum { NUM_SECTORS = 16, BALL_STEPS = 5, NUM_ARCS = 8 };
+enum { NUM_SECTORS = 16, BALL_STEPS = 5, NUM_ARCS = 8, NUM_LAYERS = 2 };
 
 /* A file of first order: vertices, cells with the group 1, facets with the group 2. */
 typedef struct {
@@ -100,6 +100,33 @@ static void ModelBall(Model *model)
   }
 }
 
+/* The unit cylinder: prisms of columns p < q < r in three cells each, whose diagonals go up to the later column. The rim is its round side. */
+static void ModelCylinder(Model *model)
+{
+  memset(model, 0, sizeof(*model));
+  model->dim = 3;
+  for (PetscInt i = 0; i < NUM_SECTORS * NUM_LAYERS; i++) {
+    const PetscInt q = PetscMin(i % NUM_SECTORS, (i + 1) % NUM_SECTORS),
+                   r = q + (i % NUM_SECTORS == NUM_SECTORS - 1 ? NUM_SECTORS - 1 : 1);
+    PetscInt low[3], high[3]; // vertices of the axis and of both columns of the rim
+
+    for (PetscInt k = 0; k < 3; k++) {
+      const PetscReal angle  = 2 * PETSC_PI * (k == 1 ? q : r) / NUM_SECTORS;
+      const PetscReal bottom = -1 + 2. / NUM_LAYERS * (i / NUM_SECTORS);
+
+      low[k]  = ModelVertex(model, (PetscReal[]){k ? PetscCosReal(angle) : 0, k ? PetscSinReal(angle) : 0, bottom});
+      high[k] = ModelVertex(
+          model, (PetscReal[]){k ? PetscCosReal(angle) : 0, k ? PetscSinReal(angle) : 0, bottom + 2. / NUM_LAYERS});
+    }
+    for (PetscInt k = 0; k < 3; k++) {
+      PetscInt *cell = model->cell[model->num_cells++];
+
+      for (PetscInt j = 0; j < 4; j++) cell[j] = j <= k ? low[j] : high[j - 1];
+      if (k) memcpy(model->facet[model->num_facets++], &cell[1], 3 * sizeof(PetscInt));
+    }
+  }
+}
+
 /* A body of a file whose rim meets a box. */
 static Mesh MakeMesh(TestScene *t, const char file[], PetscInt dim, PetscInt order)
 {
@@ -159,8 +186,9 @@ static PetscReal BodyVolume(const Level *level, PetscInt body)
   return Total(volume);
 }
 
-/* All nodes of a side are on a circle, or on the unit sphere. */
-static void CheckRound(TestScene *t, Level *level, const char side[], PetscReal radius, PetscReal tolerance)
+/* All nodes of a side are on a circle or cylinder (two axes), or on a sphere (three). */
+static void CheckRound(TestScene *t, Level *level, const char side[], PetscInt axes, PetscReal radius,
+                       PetscReal tolerance)
 {
   Facets facets;
 
@@ -169,7 +197,7 @@ static void CheckRound(TestScene *t, Level *level, const char side[], PetscReal 
     for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); i++) {
       const PetscReal *x = &level->coords[facets.nodes[f * ELEMENT_MAX_FACET_NODES + i] * level->dim];
 
-      CHECK_NEAR(PetscSqrtReal(x[0] * x[0] + x[1] * x[1] + (level->dim == 3 ? x[2] * x[2] : 0)), radius, tolerance);
+      CHECK_NEAR(PetscSqrtReal(x[0] * x[0] + x[1] * x[1] + (axes == 3 ? x[2] * x[2] : 0)), radius, tolerance);
     }
   }
   CHECK(!FacetsDestroy(&facets));
@@ -197,16 +225,39 @@ static void TestRound(PetscInt dim, PetscInt order)
   mesh = MakeMesh(&t, path, dim, order);
   CHECK(t.bodies[0].arcs);
   for (PetscInt step = 0; step < (dim == 2 ? 4 : 1); step++) { // around the place of contact, then everywhere
-    CheckRound(&t, MeshFinest(mesh), "rim", 1, 1e-13);
+    CheckRound(&t, MeshFinest(mesh), "rim", dim, 1, 1e-13);
     Adapt(mesh, 0, -1, .3 * PetscPowRealInt(.5, (int)step));
   }
-  CheckRound(&t, MeshFinest(mesh), "rim", 1, 1e-13);
+  CheckRound(&t, MeshFinest(mesh), "rim", dim, 1, 1e-13);
   for (PetscInt step = 0; step < (dim == 2 ? 3 : 2); step++) {
     error[step] = PetscAbsReal(BodyVolume(MeshFinest(mesh), 0) - exact);
     CHECK(!MeshAdaptAll(mesh));
-    CheckRound(&t, MeshFinest(mesh), "rim", 1, 1e-13);
+    CheckRound(&t, MeshFinest(mesh), "rim", dim, 1, 1e-13);
     if (step) CHECK(error[step] < (order == 1 ? .3 : .08) * error[step - 1]); // 1/4 and 1/16
   }
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
+/* A cylinder of a file of first order. Edges along its axis that halve curved faces are straight: their middle nodes are on the cylinder, too. */
+static void TestCylinder(void)
+{
+  char         path[64];
+  static Model model;
+  TestScene    t;
+  Mesh         mesh;
+  PetscMPIInt  size;
+
+  CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
+  (void)snprintf(path, sizeof(path), "cylinder_%d.msh", size);
+  ModelCylinder(&model);
+  ModelWrite(&model, path);
+  mesh = MakeMesh(&t, path, 3, 2);
+  for (PetscInt step = 0; step < 4; step++) {
+    CheckRound(&t, MeshFinest(mesh), "rim", 2, 1, 1e-13);
+    Adapt(mesh, 0, -1, .4 * PetscPowRealInt(.5, (int)step));
+  }
+  CheckRound(&t, MeshFinest(mesh), "rim", 2, 1, 1e-13);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
@@ -230,7 +281,7 @@ static void TestRing(PetscInt order)
   for (PetscInt step = 0; step < 4; step++) Adapt(mesh, 2, 0, PetscPowRealInt(.5, (int)step));
   for (PetscInt step = 0; step < 3; step++) {
     error[step] = PetscAbsReal(BodyVolume(MeshFinest(mesh), 0) - 2.25);
-    CheckRound(&t, MeshFinest(mesh), "right", 2, 1e-14);
+    CheckRound(&t, MeshFinest(mesh), "right", 2, 2, 1e-14);
     CHECK(!MeshAdaptAll(mesh));
     if (step) CHECK(error[step] < (order == 1 ? .3 : .08) * error[step - 1]);
   }
@@ -287,6 +338,7 @@ int main(int argc, char **argv)
   for (PetscInt dim = 2; dim <= 3; dim++) {
     for (PetscInt order = 1; order <= 2; order++) TestRound(dim, order);
   }
+  TestCylinder();
   for (PetscInt order = 1; order <= 2; order++) {
     TestRing(order);
     TestParabolas(order);
