@@ -144,6 +144,21 @@ PetscErrorCode OutputCreate(MPI_Comm comm, Output *output)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Tables that an earlier run of another kind may have left. What this run has of them is added afterwards. */
+static PetscErrorCode OutputRemoveTables_Private(Output output, Scene scene)
+{
+  const char *const names[] = {"paths", "steps", "study"};
+  char              path[PETSC_MAX_PATH_LEN];
+
+  PetscFunctionBeginUser;
+  if (output->rank) PetscFunctionReturn(PETSC_SUCCESS);
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(names); i++) {
+    PetscCall(OutputGetPath_Private(scene, names[i], ".csv", path));
+    PetscCall(FileSetRemove(&output->files, path));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* [in] series - or NULL */
 static PetscErrorCode OutputAddFields_Private(Output output, OutputSeries series, Fields fields)
 {
@@ -154,11 +169,11 @@ static PetscErrorCode OutputAddFields_Private(Output output, OutputSeries series
   PetscCall(OutputAddFormats_Private(output, &(Told){.vi = vi, .fields = fields, .pair = -1, .series = series},
                                      "Vectors=\"displacement\" Tensors=\"stress\" Scalars=\"von_mises\""));
   if (output->rank == 0) PetscCall(StalePlotsRemove(&output->files, vi->scene->output));
-  PetscCall(OutputGetPath_Private(vi->scene, "paths", ".csv", path));
-  if (vi->scene->num_paths)
+  PetscCall(OutputRemoveTables_Private(output, vi->scene)); // before a pair of that name writes its own
+  if (vi->scene->num_paths) {
+    PetscCall(OutputGetPath_Private(vi->scene, "paths", ".csv", path));
     PetscCall(PathTableWrite(fields, &output->files, path));
-  else if (output->rank == 0)
-    PetscCall(FileSetRemove(&output->files, path)); // before a pair of that name writes its own
+  }
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     PetscCall(OutputGetPath_Private(vi->scene, vi->pairs[p]->spec->name, ".csv", path));
     PetscCall(CSVWritePair(fields, p, &output->files, path));
@@ -234,8 +249,7 @@ static PetscErrorCode OutputRemoveFields_Private(Output output, Scene scene)
       PetscCall(FileSetRemove(&output->files, path));
     }
   }
-  PetscCall(OutputGetPath_Private(scene, "paths", ".csv", path));
-  PetscCall(FileSetRemove(&output->files, path));
+  PetscCall(OutputRemoveTables_Private(output, scene));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
