@@ -16,8 +16,13 @@ enum { SIZE_DEGREE = 2 }; /* of the quadrature of a facet's area, which weighs i
 /* Principal axes of areas whose two largest second moments differ by less than this part are not determined:
    those of a circle. */
 static const PetscReal ROUND = 0.01;
+/* The width of an ellipse over the root of the second moment of its area, per area. */
+static const PetscReal ELLIPSE_WIDTH = 4;
 /* Forces, or places, that differ by less than this part come in the same order on any number of ranks. */
 static const PetscReal SAME_PATCH = 1e-9;
+
+/* Pressures below this part of the largest are rounding, which open nodes have. */
+static const PetscReal NO_PRESSURE = 1e-9;
 
 /* What is added over the rows of a patch, and over the points that its nodes stand for. */
 enum { ROW_NODES, ROW_AREA, ROW_NORMAL, ROW_FORCE, ROW_CENTRE = ROW_FORCE + 3, ROW_SUMS = ROW_CENTRE + 3 };
@@ -59,13 +64,17 @@ static PetscErrorCode PatchSetLabels_Private(Fields fields, PetscInt p, Vec labe
 {
   Level       *level = fields->vi->level;
   PairFields   nodal;
+  PetscReal    largest = 0;
   PetscScalar *label;
 
   PetscFunctionBeginUser;
   PetscCall(PairFieldsCreate(fields, p, &nodal));
+  for (PetscInt i = 0; i < level->num_owned; i++) largest = PetscMax(largest, nodal.pressure[i]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscCall(VecGetArray(labels, &label));
   for (PetscInt i = 0; i < level->num_owned; i++) {
-    const PetscBool joins = (PetscBool)(nodal.status[i] == STATUS_NONE && nodal.covered[i] && nodal.pressure[i] > 0);
+    const PetscBool joins =
+        (PetscBool)(nodal.status[i] == STATUS_NONE && nodal.covered[i] && nodal.pressure[i] > NO_PRESSURE * largest);
 
     label[i] = joins || StatusIsContact(nodal.status[i]) ? (PetscReal)level->node_global[i] : -1;
   }
@@ -324,8 +333,9 @@ static void PatchSetAxes_Private(PetscInt dim, const PetscReal sums[], ContactPa
   for (PetscInt a = 0; a < dim - 1; a++) {
     for (PetscInt k = 0; k < dim; k++) patch->axis[a][k] = V[k * dim + order[a]];
   }
-  first  = values[order[0]];
-  second = values[order[1]];
+  first        = values[order[0]];
+  second       = values[order[1]];
+  patch->width = 0;
   if (dim == 3 && first - second < ROUND * first) { /* any axis across the third: the one nearest to a coordinate's */
     PetscReal      n[3], dot;
     const PetscInt along = PetscAbsReal(V[order[2]]) > PetscSqrtReal(0.5) ? 1 : 0;
@@ -335,6 +345,7 @@ static void PatchSetAxes_Private(PetscInt dim, const PetscReal sums[], ContactPa
     for (PetscInt k = 0; k < 3; k++) patch->axis[0][k] = (k == along) - dot * n[k];
     FrameNormalize(3, patch->axis[0]);
     VectorCross(n, patch->axis[0], patch->axis[1]);
+    patch->width = ELLIPSE_WIDTH * PetscSqrtReal(second);
   }
   for (PetscInt a = 0; a < dim - 1; a++) {
     PetscInt largest = 0;
@@ -466,7 +477,8 @@ static PetscErrorCode PatchMeasure_Private(const PatchNodes *nodes, ContactPatch
       PatchSwap_Private(&patch->extent[0], &patch->extent[1]);
       PatchSwap_Private(&sums[i * FACET_SUMS + FACET_LENGTH], &sums[i * FACET_SUMS + FACET_LENGTH + 1]);
     }
-    narrow            = dim - 2;
+    narrow = dim - 2;
+    if (patch->width == 0) patch->width = patch->extent[narrow];
     patch->facet_size = sums[i * FACET_SUMS + FACET_LENGTH + narrow] / sums[i * FACET_SUMS + FACET_COUNT];
     patch->facets     = dim == 2 ? sums[i * FACET_SUMS + FACET_SHARE] : patch->extent[1] / patch->facet_size;
   }

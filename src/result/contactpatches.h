@@ -18,8 +18,10 @@ typedef struct {
   PetscReal centre[3]; /* centroid of the area */
   PetscReal moment[3]; /* of the force about the centroid; in a plane the first is about z; NAN if axisymmetric */
   PetscReal extent[2], axis[2][3]; /* length along the principal axes of the area, the longer first; in a plane one */
-  PetscReal facets;                /* width: facets of the nonmortar side across the shorter extent */
-  PetscReal facet_size;            /* mean length of one of these facets along it */
+  PetscReal width;  /* the shorter extent; of nearly circular patches that of the ellipse with the same second moments,
+                      which turns with the scene */
+  PetscReal facets; /* width: facets of the nonmortar side across the shorter extent */
+  PetscReal facet_size; /* mean length of one of these facets along it */
 } ContactPatch;
 
 /* Patches of one pair, by falling normal force; equal ones by their centres. */

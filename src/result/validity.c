@@ -297,7 +297,7 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
       LargestTake(&largest[VALIDITY_GAP], PetscAbsReal(state.error[a]) / state.scale, dim, x, p);
     if (state.patch[a] < 0) continue;
     if (!adaptive) LargestTake(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
-    width = PetscMax(patches.patch[state.patch[a]].extent[dim - 2], state.size[a]); // a node alone has no extent
+    width = PetscMax(patches.patch[state.patch[a]].width, state.size[a]); // a node alone has no extent
     LargestTake(&largest[VALIDITY_SLIP_CONTACT], slip / width, dim, x, p);
     if (!ScenePairHasFriction(pair->spec)) *sliding += state.force[a] * slip;
   }
