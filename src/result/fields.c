@@ -30,25 +30,29 @@ static void FieldsShareLargest_Private(Scene scene, PetscReal body_max[])
   }
 }
 
-/* Stiffness of the owned nodes and the largest displacement of each body. */
+/* Stiffness of the owned nodes and the largest displacement of each body. Where slip counts from an earlier
+   displacement, that is one, too: a body that was let go has the roundoff of both. */
 static PetscErrorCode FieldsSetNodeScales_Private(Fields fields)
 {
   const Level     *level = fields->vi->level;
   const PetscInt   dim = level->dim, num_bodies = fields->vi->scene->num_bodies;
-  const PetscReal *d, *u;
+  const Vec        from = fields->vi->slip_from ? fields->vi->slip_from : fields->u;
+  const PetscReal *d, *u, *old;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc2(level->num_owned, &fields->stiffness, num_bodies, &fields->body_max));
   PetscCall(VecGetArrayRead(fields->vi->diagonal, &d));
   PetscCall(VecGetArrayRead(fields->u, &u));
+  PetscCall(VecGetArrayRead(from, &old));
   for (PetscInt a = 0; a < level->num_owned; a++) {
     PetscReal *largest = &fields->body_max[level->node_body[a]];
 
     for (PetscInt k = 0; k < dim; k++) {
       fields->stiffness[a] += d[a * dim + k] / dim;
-      *largest = PetscMax(*largest, PetscAbsReal(u[a * dim + k]));
+      *largest = PetscMax(*largest, PetscMax(PetscAbsReal(u[a * dim + k]), PetscAbsReal(old[a * dim + k])));
     }
   }
+  PetscCall(VecRestoreArrayRead(from, &old));
   PetscCall(VecRestoreArrayRead(fields->u, &u));
   PetscCall(VecRestoreArrayRead(fields->vi->diagonal, &d));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, fields->body_max, (PetscMPIInt)num_bodies, MPIU_REAL, MPI_MAX, level->comm));
