@@ -14,8 +14,12 @@ def judge(run):
     for name in summary["scene"]["pairs"]:
         (axes,) = [axes for axes in figure.axes if axes.get_title().startswith(name + ":")]
         table, lines = run.table(name), {line.get_label(): line for line in axes.lines}
-        near(f"{name}: tractions", list(lines["tangential traction"].get_ydata()), np.abs(table["tangential_traction_x"]), absolute=1e-9)
-        near(f"{name}: limit", list(lines["limit: 0.15 times the pressure"].get_ydata()), 0.15 * np.maximum(table["pressure"], 0), absolute=1e-9)
+        way = np.sign(table["x"][-1] - table["x"][0])  # sides along x
+        traction = way * np.array(table["tangential_traction_x"])
+        near(f"{name}: tractions", list(lines["tangential traction, along the arc"].get_ydata()), traction, absolute=1e-9)
+        side = 1 if traction.max() > 1e-6 * np.abs(traction).max() else -1
+        near(f"{name}: limit", list(lines["limit: 0.15 times the pressure"].get_ydata()), side * 0.15 * np.maximum(table["pressure"], 0), absolute=1e-9)
+        require(axes.get_ylim()[0] <= traction.min(), f"{name}: tractions below the graph")
         words = {patch.get_label() for patch in axes.patches} & {"sticks", "slips"}
         same(f"{name}: zones", words, {word for code, word in ((3, "slips"), (4, "sticks")) if code in table["status"]})
     steps = plot.load("mortise-plot-steps").draw(plot, prefix, summary)
