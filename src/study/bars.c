@@ -14,10 +14,12 @@ enum {
   PEAK_DOUBTS = 2  /* smaller sizes that must not show growth before what was unbounded has a limit */
 };
 
-static const PetscReal BAR_MARGIN = 1.25; /* factor of differences */
-static const PetscReal LEAST_GAIN = 0.95; /* largest ratio of estimates: nearly equal meshes tell little */
-static const PetscReal FALLEN     = 0.25; /* of the first estimate: below, fewer meshes are enough */
-static const PetscReal SETTLES    = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
+/* Factor of the floor of a radial reaction: a unit motion along the radius strains the whole ring. */
+static const PetscReal RADIAL_FACTOR = 2;
+static const PetscReal BAR_MARGIN    = 1.25; /* factor of differences */
+static const PetscReal LEAST_GAIN    = 0.95; /* largest ratio of estimates: nearly equal meshes tell little */
+static const PetscReal FALLEN        = 0.25; /* of the first estimate: below, fewer meshes are enough */
+static const PetscReal SETTLES       = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
 static const PetscReal GROWN = 0.1; /* part of a stress that it has grown by over BAR_MESHES: it is far from a limit */
 static const PetscReal STRESS_ROUNDING = 1e-9; /* part of its floor below which a stress is zero but for rounding */
 /* Least ratio of an increment to the one before that shows no limit. */
@@ -43,6 +45,8 @@ typedef enum {
   FLOOR_MEAN,
   FLOOR_EDGE,
   FLOOR_AREA,
+  FLOOR_SLIP, /* the larger one of that of the whole, and of a pair that sticks */
+  FLOOR_WORK, /* the same, of work */
   FLOOR_PLACE /* relative, of the whole solution, times the extent of contact: a position depends on the origin */
 } FloorKind;
 
@@ -53,7 +57,7 @@ static const struct {
     {{"force", FLOOR_WHOLE},        {"normal_force", FLOOR_WHOLE},      {"area", FLOOR_AREA},
      {"mean_pressure", FLOOR_MEAN}, {"max_pressure", FLOOR_PRESSURE},   {"max_pressure_covered", FLOOR_PRESSURE},
      {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_PLACE}},
-  FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_WHOLE}, {"max_slip", FLOOR_WHOLE}, {"dissipation", FLOOR_WHOLE}},
+  FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_WHOLE}, {"max_slip", FLOOR_SLIP}, {"dissipation", FLOOR_WORK}},
   PROBE_NUMBERS[]    = {{"displacement", FLOOR_PROBE},
                         {"stress", FLOOR_STRESS},
                         {"von_mises", FLOOR_STRESS},
@@ -332,6 +336,8 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   case FLOOR_PRESSURE: return floors->pair[owner].pressure;
   case FLOOR_EDGE: return floors->pair[owner].edge;
   case FLOOR_AREA: return floors->pair[owner].area;
+  case FLOOR_SLIP: return PetscMax(floors->whole * size, floors->pair[owner].slip);
+  case FLOOR_WORK: return PetscMax(floors->whole * size, floors->pair[owner].work);
   case FLOOR_MEAN: return size * (floors->whole + (beside > 0 ? floors->pair[owner].area / beside : 0));
   default: return floors->whole * size;
   }
@@ -355,7 +361,8 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
   beside = BarsGetBeside_Private(history->mesh[last].row, path, kind);
   PetscCall(PetscMalloc1(history->num, &Q));
   for (PetscInt i = 0; i < num; i++) {
-    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, size, beside);
+    const PetscBool radial = (PetscBool)(kind == FLOOR_SIDE && i == 0 && history->scene->model == MODEL_AXISYMMETRIC);
+    const PetscReal floor  = (radial ? RADIAL_FACTOR : 1) * BarsGetFloor_Private(history, kind, owner, size, beside);
 
     for (PetscInt j = 0; j < history->num; j++) {
       PetscReal row[MAX_ITEMS];

@@ -1,0 +1,27 @@
+"""Bars of numbers that coarse meshes agree on by chance contain what finer meshes of other cells find: the radial reaction, whose corner is refined late, and
+the slip of a stamp that sticks on all meshes, with the work of friction."""
+from judge import near, require
+
+# a stamp in the plane whose friction is bounded; it sticks on the meshes of the first tolerance
+PLANE = ["-model", "plane_strain", "-stamp_dm_plex_box_faces", "4,4", "-stamp_dm_plex_box_lower", "-0.6648,0", "-stamp_dm_plex_box_upper", "0.5317,0.8",
+         "-stamp_young", "862", "-stamp_poisson", "0", "-stamp_bc_displacement_top", "0,-0.00314", "-block_dm_plex_box_faces", "2,5",
+         "-block_dm_plex_box_lower", "-1,-1", "-block_young", "3968", "-block_poisson", "0", "-joint_nonmortar", "block:top", "-joint_mortar", "stamp:bottom",
+         "-joint_friction", "0", "-joint_friction_bound", "1.956"]
+
+
+def judge(run):
+    for name, scene in (("axis", []), ("plane", PLANE)):
+        warns = ["edge_pressure"] if scene else None
+        coarse = run.again(*scene, name="plane", warns=warns) if scene else run
+        fine = run.again(*scene, "-adapt", "8e-3", "-adapt_cells", "kept", name=f"{name}_fine", warns=warns)
+        for number, (path, index) in {"radial": (("reactions", "stamp:top"), 0), "slip": (("pairs", "joint", "max_slip"), None),
+                                      "work": (("pairs", "joint", "dissipation"), None)}.items():
+            values = []
+            for results in (coarse.summary, coarse.summary["bars"], fine.summary, fine.summary["bars"]):
+                for key in path:
+                    results = results[key]
+                values.append(results if index is None else results[index])
+            value, bar, limit, rest = values
+            near(f"{name}: {number}", value, limit, absolute=bar + rest)
+    slip = coarse.summary["bars"]["pairs"]["joint"]["max_slip"]
+    require(slip < 1e-2 * 0.00314, f"the bar of the slip says nothing: {slip}")
