@@ -15,7 +15,7 @@ enum {
 };
 
 /* Factor of the floor of a radial reaction: a unit motion along the radius strains the whole ring. */
-static const PetscReal RADIAL_FACTOR = 2;
+static const PetscReal RADIAL_FACTOR = 4;
 static const PetscReal BAR_MARGIN    = 1.25; /* factor of differences */
 static const PetscReal LEAST_GAIN    = 0.95; /* largest ratio of estimates: nearly equal meshes tell little */
 static const PetscReal FALLEN        = 0.25; /* of the first estimate: below, fewer meshes are enough */
