@@ -20,7 +20,9 @@ enum {
   KEPT_RUNS    = 4  /* meshes of a load step beside the latest one: bars compare five */
 };
 
-static const PetscReal STALLED = 0.9; /* smallest ratio of errors, with twice the unknowns, that is no progress */
+/* Smallest ratio of errors that is no progress, with so many times the unknowns. With friction no energy
+   tells whether a rise is one of coarse meshes. */
+static const PetscReal STALLED = 0.9, STALLED_GROWTH = 2, STALLED_GROWTH_FRICTION = 4;
 static const PetscReal KEEP_SECONDS =
     5; /* between files: of work that an interruption loses, besides the present mesh */
 static const PetscReal PERCENT = 100;
@@ -175,19 +177,25 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether estimates have hardly fallen since there were half as many unknowns. They are not calibrated here:
-   calibrations of coarse meshes may jump. Where coarse meshes are too stiff estimates may even rise; then the
-   energy falls, and by more than they tell. */
+static PetscReal AdaptiveGetStalledGrowth_Private(const Scene scene)
+{
+  return SceneHasFriction(scene) ? STALLED_GROWTH_FRICTION : STALLED_GROWTH;
+}
+
+/* Whether estimates have hardly fallen since there were a half, or a quarter, of the unknowns. They are not
+   calibrated here: calibrations of coarse meshes may jump. Where coarse meshes are too stiff estimates may
+   even rise; then the energy falls, and by more than they tell. */
 static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
-  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive), *before;
-  PetscInt          k    = adaptive->history->num - 1;
+  const PetscReal   growth = AdaptiveGetStalledGrowth_Private(adaptive->scene);
+  const SolvedMesh *mesh   = AdaptiveGetLast_Private(adaptive), *before;
+  PetscInt          k      = adaptive->history->num - 1;
 
   if (adaptive->first + adaptive->history->num < RATE_MESHES) return PETSC_FALSE;
-  while (k > 0 && 2 * adaptive->history->mesh[k].unknowns > mesh->unknowns) k--;
+  while (k > 0 && growth * adaptive->history->mesh[k].unknowns > mesh->unknowns) k--;
   before = &adaptive->history->mesh[k];
   if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // the mesh hardly resolves the contact
-  if (2 * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
+  if (growth * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
   if (!SceneHasFriction(adaptive->scene) &&
       SolvedMeshGetEnergy(before) - SolvedMeshGetEnergy(mesh) > (1 - PetscSqr(STALLED)) * PetscSqr(before->eta))
     return PETSC_FALSE;
@@ -234,7 +242,8 @@ static PetscBool AdaptiveIsOver_Private(const struct _n_Adaptive *adaptive, char
   else if (AdaptiveGetForecastBytes_Private(adaptive, next) > plan->memory)
     AdaptiveTellMemory_Private(adaptive, next, why);
   else if (AdaptiveIsStalled_Private(adaptive))
-    (void)snprintf(why, TEXT_LENGTH, "twice the unknowns have hardly lowered it");
+    (void)snprintf(why, TEXT_LENGTH, "%s the unknowns have hardly lowered it",
+                   SceneHasFriction(adaptive->scene) ? "four times" : "twice");
   if (why[0] && AdaptiveIsMet_Private(adaptive))
     why[0] = '\0'; // few meshes, but what was asked for
   else if (!why[0])
