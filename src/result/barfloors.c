@@ -194,32 +194,6 @@ static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A pair that sticks on all meshes tells nothing of the slip that finer ones may have, as at its ends. It is
-   the error of a displacement. Collective. [in] whole - of BarFloors; [in,out] floors */
-static PetscErrorCode BarFloorsOfFriction_Private(Fields fields, PetscInt p, PetscReal whole, PairFloors *floors)
-{
-  const VI         vi      = fields->vi;
-  PetscReal        sums[2] = {0, 0}; // nodes that slip; components of forces along the side
-  const PetscReal *lambda;
-
-  PetscFunctionBeginUser;
-  if (!ScenePairHasFriction(vi->pairs[p]->spec)) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    if (vi->row_pair[r] != p) continue;
-    if (vi->row_direction[r])
-      sums[1] += PetscAbsReal(lambda[r] * fields->row_weight[r]);
-    else
-      sums[0] += fields->row_status[r] == STATUS_SLIP;
-  }
-  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, vi->level->comm));
-  if (sums[0] == 0)
-    floors->slip = BODY_FACTOR / WHOLE_FACTOR * whole * fields->body_max[vi->pairs[p]->spec->nonmortar.body];
-  floors->work = floors->slip * sums[1];
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
 {
   const Scene scene = fields->vi->scene;
@@ -240,7 +214,7 @@ PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
   }
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     PetscCall(BarFloorsOfPair_Private(fields, p, &floors->pair[p]));
-    PetscCall(BarFloorsOfFriction_Private(fields, p, floors->whole, &floors->pair[p]));
+    PetscCall(FrictionFloorsCompute(fields, p, BODY_FACTOR / WHOLE_FACTOR * floors->whole, &floors->pair[p].friction));
   }
   PetscCall(ComplianceCreate(scene, &compliance));
   for (PetscInt i = 0; i < scene->num_probes; i++)

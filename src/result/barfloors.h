@@ -3,14 +3,14 @@
 #define MORTISE_BARFLOORS_H
 
 #include "result/estimate.h"
+#include "result/frictionfloors.h"
 
 /* Of one pair. */
 typedef struct {
-  PetscReal pressure; /* 3 max |lambda_a + n.s* n| over the facets around the node of largest pressure */
-  PetscReal edge;     /* size of the largest facet that contact ends on */
-  PetscReal area;     /* half the area of those facets */
-  PetscReal slip;     /* where all of it sticks: 6 (eta / |u|)^2 of the displacements; else 0 */
-  PetscReal work;     /* the work of the tractions along the side on that slip */
+  PetscReal      pressure; /* 3 max |lambda_a + n.s* n| over the facets around the node of largest pressure */
+  PetscReal      edge;     /* size of the largest facet that contact ends on */
+  PetscReal      area;     /* half the area of those facets */
+  FrictionFloors friction;
 } PairFloors;
 
 /* Relative floors are multiplied by the size of the number. */

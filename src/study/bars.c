@@ -47,6 +47,7 @@ typedef enum {
   FLOOR_AREA,
   FLOOR_SLIP, /* the larger one of that of the whole, and of a pair that sticks */
   FLOOR_WORK, /* the same, of work */
+  FLOOR_HELD, /* the larger one of that of the whole, and of the force that held nodes lack */
   FLOOR_PLACE /* relative, of the whole solution, times the extent of contact: a position depends on the origin */
 } FloorKind;
 
@@ -54,10 +55,10 @@ static const struct {
   const char *key;
   FloorKind   kind;
 } PAIR_NUMBERS[] =
-    {{"force", FLOOR_WHOLE},        {"normal_force", FLOOR_WHOLE},      {"area", FLOOR_AREA},
+    {{"force", FLOOR_HELD},         {"normal_force", FLOOR_WHOLE},      {"area", FLOOR_AREA},
      {"mean_pressure", FLOOR_MEAN}, {"max_pressure", FLOOR_PRESSURE},   {"max_pressure_covered", FLOOR_PRESSURE},
      {"min_gap", FLOOR_WHOLE},      {"centre_of_pressure", FLOOR_PLACE}},
-  FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_WHOLE}, {"max_slip", FLOOR_SLIP}, {"dissipation", FLOOR_WORK}},
+  FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_HELD}, {"max_slip", FLOOR_SLIP}, {"dissipation", FLOOR_WORK}},
   PROBE_NUMBERS[]    = {{"displacement", FLOOR_PROBE},
                         {"stress", FLOOR_STRESS},
                         {"von_mises", FLOOR_STRESS},
@@ -336,8 +337,9 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   case FLOOR_PRESSURE: return floors->pair[owner].pressure;
   case FLOOR_EDGE: return floors->pair[owner].edge;
   case FLOOR_AREA: return floors->pair[owner].area;
-  case FLOOR_SLIP: return PetscMax(floors->whole * size, floors->pair[owner].slip);
-  case FLOOR_WORK: return PetscMax(floors->whole * size, floors->pair[owner].work);
+  case FLOOR_SLIP: return PetscMax(floors->whole * size, floors->pair[owner].friction.slip);
+  case FLOOR_HELD: return PetscMax(floors->whole * size, BAR_MARGIN * floors->pair[owner].friction.held);
+  case FLOOR_WORK: return PetscMax(floors->whole * size, floors->pair[owner].friction.work);
   case FLOOR_MEAN: return size * (floors->whole + (beside > 0 ? floors->pair[owner].area / beside : 0));
   default: return floors->whole * size;
   }

@@ -32,6 +32,7 @@ mortise_scene_test(accelerated SCENE greco CHECK accelerated.py RANKS 1 3 ARGS -
 mortise_scene_test(pivoted OWN_RUNS SCENE greco CHECK pivoted.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(belt CHECK belt.py)
 mortise_scene_test(gripped CHECK gripped.py)
+mortise_scene_test(away CHECK away.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(rises CHECK rises.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(cone CHECK cone.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(leaning CHECK leaning.py RANKS 1 LONG_RANKS 3)
