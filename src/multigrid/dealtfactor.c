@@ -21,9 +21,11 @@ typedef struct {
 } Deal;
 
 typedef struct {
-  VecScatter scatter;
-  Vec        r, z; /* in the rows of this rank */
-  PC         inner;
+  VecScatter           scatter;
+  Vec                  r, z; /* in the rows of this rank */
+  PC                   inner;
+  DealtFactorConfigure configure; /* NULL once inner has a type */
+  Mat                  base;      /* keeps the factors of blocks that have not changed, or NULL */
 } DealtFactor;
 
 static PetscErrorCode DealDestroy_Private(ContainerArgument argument)
@@ -158,14 +160,12 @@ static PetscErrorCode DealHolds_Private(const Deal *deal, Mat S, PetscBool *hold
    before */
 static PetscErrorCode DealRenew_Private(Mat S, Mat base, Deal **deal)
 {
-  Mat            both;
-  EnvelopeParts *parts;
+  Mat both;
 
   PetscFunctionBeginUser;
   PetscCall(MatDuplicate(S, MAT_COPY_VALUES, &both));
   PetscCall(MatAXPY(both, 1, base, DIFFERENT_NONZERO_PATTERN));
   PetscCall(DealCreate_Private(base, both, deal));
-  PetscCall(EnvelopeFactorGet((*deal)->own, &parts)); // those before have other rows
   PetscCall(MatDestroy(&both));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -193,13 +193,18 @@ static PetscErrorCode DealProvide_Private(Mat S, Deal **deal, Mat *own)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* No other rank waits for this one here. */
 static PetscErrorCode SetUp_DealtFactor(PC pc)
 {
   DealtFactor   *dealt;
+  EnvelopeParts *parts;
   PCFailedReason failed;
 
   PetscFunctionBeginUser;
   PetscCall(PCShellGetContext(pc, &dealt));
+  if (dealt->base) PetscCall(EnvelopeFactorGet(dealt->base, &parts)); // none yet if rows were dealt anew
+  if (dealt->configure) PetscCall(dealt->configure(dealt->inner));
+  dealt->configure = NULL;
   PetscCall(PCSetUp(dealt->inner));
   PetscCall(PCGetFailedReason(dealt->inner, &failed));
   PetscCall(PCSetFailedReason(pc, failed));
@@ -230,11 +235,12 @@ static PetscErrorCode Destroy_DealtFactor(PC pc)
   PetscCall(VecDestroy(&dealt->r));
   PetscCall(VecDestroy(&dealt->z));
   PetscCall(PCDestroy(&dealt->inner));
+  PetscCall(MatDestroy(&dealt->base));
   PetscCall(PetscFree(dealt));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode DealtFactorSetPC(PC pc, Mat S, PC *inner)
+PetscErrorCode DealtFactorSetPC(PC pc, Mat S, DealtFactorConfigure configure)
 {
   Deal        *deal;
   DealtFactor *dealt;
@@ -244,7 +250,12 @@ PetscErrorCode DealtFactorSetPC(PC pc, Mat S, PC *inner)
   PetscCall(DealProvide_Private(S, &deal, &own));
   PetscCall(PetscNew(&dealt));
   PetscCall(PetscObjectReference((PetscObject)deal->scatter));
-  dealt->scatter = deal->scatter;
+  dealt->scatter   = deal->scatter;
+  dealt->configure = configure;
+  if (own != deal->own) {
+    PetscCall(PetscObjectReference((PetscObject)deal->own));
+    dealt->base = deal->own;
+  }
   PetscCall(MatCreateVecs(own, &dealt->z, &dealt->r));
   PetscCall(PCCreate(PETSC_COMM_SELF, &dealt->inner));
   PetscCall(PCSetOperators(dealt->inner, own, own));
@@ -256,7 +267,6 @@ PetscErrorCode DealtFactorSetPC(PC pc, Mat S, PC *inner)
   PetscCall(PCShellSetSetUp(pc, SetUp_DealtFactor));
   PetscCall(PCShellSetApply(pc, Apply_DealtFactor));
   PetscCall(PCShellSetDestroy(pc, Destroy_DealtFactor));
-  *inner = dealt->inner;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

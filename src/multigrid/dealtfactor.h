@@ -4,10 +4,12 @@
 
 #include <petscksp.h>
 
-/* Makes pc the inverse of S, block by block. Collective.
-   [in] S - second operator of pc, AIJ; [out] inner - of the rows of this rank, with operators, borrowed: its
-   type is to be set */
-PetscErrorCode DealtFactorSetPC(PC pc, Mat S, PC *inner);
+/* Sets the type of a PC of one process, which has operators. */
+typedef PetscErrorCode (*DealtFactorConfigure)(PC inner);
+
+/* Makes pc the inverse of S, block by block. PCSetUp() is then the work of each rank for itself. Collective.
+   [in] S - second operator of pc, AIJ; [in] configure - for the rows of this rank, called by PCSetUp() */
+PetscErrorCode DealtFactorSetPC(PC pc, Mat S, DealtFactorConfigure configure);
 /* Whether pc was made so. Not collective. */
 PetscErrorCode DealtFactorIs(PC pc, PetscBool *dealt);
 /* Call it after S was multiplied by a number. Not collective. */

@@ -100,6 +100,12 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free, Ma
   if (finest->ready && !finest->change && !more) PetscCall(VecEqual(free, finest->free, &same));
   if (same) PetscFunctionReturn(PETSC_SUCCESS); // a prediction may end with the set of the first system
   PetscCall(MGLevelSetFree(multigrid->num, multigrid->level, free, more));
+  PetscCall(MGLevelAssemble(&multigrid->level[0]));
+  PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
+  PetscCall(KSPSetOperators(ksp, multigrid->level[0].A, multigrid->level[0].A));
+  PetscCall(KSPGetPC(ksp, &pc));
+  /* All messages come before the factors, which ranks compute at once. */
+  PetscCall(RedundantSolveGather(pc));
   for (PetscInt l = 1; l < multigrid->num; l++) { // factors of smoothers are out of date
     PetscCall(MatAssemblyBegin(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
     PetscCall(MatAssemblyEnd(multigrid->level[l].A, MAT_FINAL_ASSEMBLY));
@@ -108,9 +114,6 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free, Ma
     PetscCall(KSPGetPC(ksp, &pc));
     PetscCall(SmootherRenew(pc));
   }
-  PetscCall(MGLevelAssemble(&multigrid->level[0]));
-  PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));
-  PetscCall(KSPSetOperators(ksp, multigrid->level[0].A, multigrid->level[0].A));
   PetscCall(PCSetUp(multigrid->mg));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

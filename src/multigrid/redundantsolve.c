@@ -13,7 +13,11 @@ enum {
   GROUP_FACTOR = 4000 /* unknowns from which they do: the factors have some megabytes */
 };
 
+/* Name of the PC. */
+static const char NAME[] = "redundant factorization";
+
 typedef struct {
+  PetscBool    gathered;        /* whether `whole` is newer than its factors */
   Mat          whole;           /* NULL on ranks that do not solve */
   PC           pc;              /* of it */
   Vec          b, x;            /* whole */
@@ -90,19 +94,37 @@ static PetscErrorCode RedundantSolveSetMatrix_Private(Mat A, RedundantSolve *red
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static PetscErrorCode SetUp_RedundantSolve(PC pc)
+PetscErrorCode RedundantSolveGather(PC pc)
 {
   RedundantSolve *redundant;
-  PCFailedReason  failed = PC_NOERROR;
-  int             worst;
+  const char     *name = NULL;
+  PetscBool       same;
   Mat             A;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCSHELL, &same));
+  if (same) PetscCall(PCShellGetName(pc, &name));
+  if (same) PetscCall(PetscStrcmp(name, NAME, &same));
+  if (!same) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PCShellGetContext(pc, &redundant));
   PetscCall(RedundantSolveRelease_Private(redundant));
   PetscCall(PCGetOperators(pc, NULL, &A));
   PetscCall(RedundantSolveSetGroups_Private(A, redundant));
   PetscCall(RedundantSolveSetMatrix_Private(A, redundant));
+  redundant->gathered = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode SetUp_RedundantSolve(PC pc)
+{
+  RedundantSolve *redundant;
+  PCFailedReason  failed = PC_NOERROR;
+  int             worst;
+
+  PetscFunctionBeginUser;
+  PetscCall(PCShellGetContext(pc, &redundant));
+  if (!redundant->gathered) PetscCall(RedundantSolveGather(pc));
+  redundant->gathered = PETSC_FALSE;
   if (redundant->whole) {
     PetscCall(PCSetOperators(redundant->pc, redundant->whole, redundant->whole));
     PetscCall(PCSetUp(redundant->pc));
@@ -190,7 +212,7 @@ PetscErrorCode RedundantSolveSetPC(PC pc)
   PetscCall(PCSetOptionsPrefix(redundant->pc, prefix));
   PetscCall(RedundantSolveSetFactor_Private(redundant->pc));
   PetscCall(PCSetType(pc, PCSHELL));
-  PetscCall(PCShellSetName(pc, "redundant factorization"));
+  PetscCall(PCShellSetName(pc, NAME));
   PetscCall(PCShellSetContext(pc, redundant));
   PetscCall(PCShellSetSetUp(pc, SetUp_RedundantSolve));
   PetscCall(PCShellSetApply(pc, Apply_RedundantSolve));

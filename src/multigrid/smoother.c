@@ -326,7 +326,6 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
 {
   PetscMPIInt size;
   PetscBool   by_body = PETSC_FALSE;
-  PC          inner   = pc;
 
   PetscFunctionBeginUser;
   if (S) PetscCall(BodySmootherIs(S, &by_body));
@@ -335,8 +334,10 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)S), &size));
-  if (size > 1) PetscCall(DealtFactorSetPC(pc, S, &inner));
-  PetscCall(SmootherConfigureFactor_Private(inner));
+  if (size > 1)
+    PetscCall(DealtFactorSetPC(pc, S, SmootherConfigureFactor_Private));
+  else
+    PetscCall(SmootherConfigureFactor_Private(pc));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -34,8 +34,12 @@ static void TestChain(PetscInt n, PetscBool empty)
   CHECK(!PCCreate(PETSC_COMM_WORLD, &pc));
   CHECK(!PCSetOperators(pc, A, A));
   CHECK(!RedundantSolveSetPC(pc));
-  for (PetscInt pass = 0; pass < 2; ++pass) { // with another matrix once more
+  for (PetscInt pass = 0; pass < 3; ++pass) { // with another matrix once more
+    /* Once gathered, it is not sent a second time. */
+    if (pass == 1) CHECK(!RedundantSolveGather(pc));
+    if (pass == 1) CHECK(!MatShift(A, 1));
     CHECK(!PCSetUp(pc));
+    if (pass == 1 && size > 1) CHECK(!MatShift(A, -1));
     CHECK(!MatMult(A, x, b));
     CHECK(!PCApply(pc, b, y));
     CHECK(!VecAXPY(y, -1, x));
