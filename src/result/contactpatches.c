@@ -348,12 +348,14 @@ static void PatchSetAxes_Private(PetscInt dim, const PetscReal sums[], ContactPa
     patch->width = ELLIPSE_WIDTH * PetscSqrtReal(second);
   }
   for (PetscInt a = 0; a < dim - 1; a++) {
-    PetscInt largest = 0;
+    PetscInt  largest = 0;
+    PetscReal sign;
 
     for (PetscInt k = 1; k < dim; k++) {
       if (PetscAbsReal(patch->axis[a][k]) > PetscAbsReal(patch->axis[a][largest]) + SAME_PATCH) largest = k;
     }
-    for (PetscInt k = 0; k < dim && patch->axis[a][largest] < 0; k++) patch->axis[a][k] *= -1;
+    sign = patch->axis[a][largest] < 0 ? -1 : 1;
+    for (PetscInt k = 0; k < dim; k++) patch->axis[a][k] *= sign;
   }
 }
 
