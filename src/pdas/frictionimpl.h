@@ -66,6 +66,8 @@ PetscErrorCode FrictionUnitsDestroy(FrictionUnits *units);
 PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
 /* Counts the units that would do something else, and changes none. Collective. */
 PetscErrorCode FrictionUnitsCompare(const FrictionUnits *units, PetscInt *changed);
+/* Forgets the decisions. The next ones follow from values and forces alone. Not collective. */
+void FrictionUnitsForget(FrictionUnits *units);
 /* Sets the unknowns that the decisions fix: y_n = upper of closed units, s = 0 of sticking units.
    Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);
@@ -82,7 +84,8 @@ PetscErrorCode FrictionUnitsCount(const FrictionUnits *units, FrictionReport *re
    16.4). Not collective. [out] to - [n] */
 void FrictionUnitsProject(const FrictionUnits *units, PetscReal to[]);
 /* The part alpha of a step that minimizes the energy with the limits of the end of the step. alpha is 1
-   unless slip reverses during the step, and negative if the energy rises. Collective. [in] from - y at the
+   unless slip reverses during the step, above 1 where slip grows in space, and negative if the energy rises.
+   Collective. [in] from - y at the
    begin of the step; units have y and r of its end [n]; [in] slope - of the energy without friction, at both
    ends; [out] energy - change of the energy by that part, if alpha is not 1 */
 PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],
@@ -126,9 +129,10 @@ PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
 /* Sweeps over the units, unless the last steps did not descend. Each unit satisfies its law, with the others
    as they are. */
 PetscErrorCode FrictionProblemSweep(FrictionProblem *problem);
-/* Solves a problem in a plane by complementary pivoting, and forgets the decisions. [out] done - whether that
-   was possible: no solution is found of problems in space, or of very large ones */
-PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool *done);
+/* Solves a problem in a plane by complementary pivoting, with the decisions of the solution. [in] last -
+   whether other ways were tried: then for larger problems; [out] done - whether that was possible: no
+   solution is found of problems in space, or of very large ones */
+PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool last, PetscBool *done);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 /* rho of FrictionReport, by power iteration. */
@@ -138,7 +142,8 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho);
 typedef struct {
   PetscReal residual, size; /* of the law, and of other unknowns unless these are eliminated; its reference */
   PetscInt  changed, closed, iterations;
-  PetscBool shortened; /* the step was shortened */
+  PetscInt  waiting;   /* steps since the last one that descended */
+  PetscBool shortened; /* the step was shortened, or made longer */
   PetscBool done;      /* the law holds */
 } FrictionStep;
 
@@ -153,10 +158,22 @@ struct _n_FrictionMethod {
   /* Resets the history of steps, for other limits. */
   PetscErrorCode (*restart)(FrictionMethod);
   PetscErrorCode (*step)(FrictionMethod, FrictionStep *step);
+  /* Solves by complementary pivoting, if that is possible; NULL for never.
+     [in] last - of FrictionProblemPivot() */
+  PetscErrorCode (*pivot)(FrictionMethod, PetscBool last, PetscBool *done);
+  /* All unknowns. [out] y */
+  PetscErrorCode (*get)(FrictionMethod, Vec y);
+  PetscErrorCode (*set)(FrictionMethod, Vec y);
   /* [out] y - all unknowns; pdas->friction_report; pdas->set.active: closed and sticking unknowns */
   PetscErrorCode (*finish)(FrictionMethod, Vec y);
   PetscErrorCode (*destroy)(FrictionMethod);
 };
+
+/* One Newton step, recorded in method->pdas. Collective. */
+PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionStep *step);
+/* Sets values and decisions to those of the first step after the solution without friction, if this descends.
+   Collective. [in] start - initial guess; [in] residual - of the last step */
+PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, PetscReal residual);
 
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);

@@ -4,33 +4,66 @@
 
 /* Tresca problems after which limits are accelerated: for a small coefficient they settle before. */
 enum { PLAIN_PROBLEMS = 12 };
+/* The iteration goes on from elsewhere after STALLED_STEPS steps in a row that do not descend, or if the
+   residual is larger than the forces after FAR_STEPS. */
+enum { STALLED_STEPS = 2, FAR_STEPS = 2 };
 
 #define FAILURE_FIXED_POINT                                                                                            \
   "the fixed point iteration over Tresca's friction does not converge, as for a large coefficient"
 
-/* Newton steps until the law holds. Collective. */
-static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, FrictionMethod method)
+PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionStep *step)
 {
+  PDAS *pdas = method->pdas;
+
+  PetscFunctionBeginUser;
+  *step = (FrictionStep){0};
+  PetscCall((*method->step)(method, step));
+  pdas->converged                   = step->done;
+  pdas->changed[pdas->iterations++] = step->changed;
+  pdas->linear_iterations += step->iterations;
+  pdas->num_active = step->closed;
+  pdas->friction_report.shortened += step->shortened ? 1 : 0;
+  pdas->safeguarded = (PetscBool)(pdas->friction_report.shortened > 0);
+  pdas->residual    = step->size > 0 ? step->residual / step->size : 0;
+  PetscCall(PetscInfo(snes,
+                      "friction, step %" PetscInt_FMT ": %" PetscInt_FMT " decisions changed, residual %g of %g%s\n",
+                      pdas->iterations, step->changed, (double)step->residual, (double)step->size,
+                      step->shortened ? ", shortened" : ""));
+  PetscCall(SNESSetIterationNumber(snes, pdas->iterations));
+  PetscCall(SNESSetFunctionNorm(snes, step->residual));
+  PetscCall(SNESMonitor(snes, pdas->iterations, step->residual));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Goes on from elsewhere: from the solution by pivoting, or from that without friction. Collective.
+   [in] start - initial guess; [in] residual - after the last step */
+static PetscErrorCode FrictionIterationMove_Private(SNES snes, FrictionMethod method, Vec start, PetscReal residual)
+{
+  PetscBool done = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  if (method->pivot) PetscCall((*method->pivot)(method, PETSC_FALSE, &done));
+  PetscCall(done ? (*method->restart)(method) : FrictionRelease(snes, method, start, residual));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Newton steps until the law holds. Collective. [in] start - initial guess */
+static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec start)
+{
+  const PetscInt begun = pdas->iterations;
+  PetscBool      moved = (PetscBool)(method->plain || pdas->fixed_point);
+
   PetscFunctionBeginUser;
   PetscCall((*method->restart)(method));
   pdas->converged = PETSC_FALSE;
   while (!pdas->converged && !pdas->failure && pdas->iterations < pdas->max_it) {
-    FrictionStep step = {0};
+    FrictionStep step;
 
-    PetscCall((*method->step)(method, &step));
-    pdas->converged                   = step.done;
-    pdas->changed[pdas->iterations++] = step.changed;
-    pdas->linear_iterations += step.iterations;
-    pdas->num_active = step.closed;
-    pdas->friction_report.shortened += step.shortened ? 1 : 0;
-    pdas->safeguarded = (PetscBool)(pdas->friction_report.shortened > 0);
-    pdas->residual    = step.size > 0 ? step.residual / step.size : 0;
-    PetscCall(PetscInfo(
-        snes, "friction, step %" PetscInt_FMT ": %" PetscInt_FMT " decisions changed, residual %g of %g%s\n",
-        pdas->iterations, step.changed, (double)step.residual, (double)step.size, step.shortened ? ", shortened" : ""));
-    PetscCall(SNESSetIterationNumber(snes, pdas->iterations));
-    PetscCall(SNESSetFunctionNorm(snes, step.residual));
-    PetscCall(SNESMonitor(snes, pdas->iterations, step.residual));
+    PetscCall(FrictionIterationStep(snes, method, &step));
+    if (moved || step.done || pdas->failure) continue;
+    if (step.waiting < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size)) continue;
+    moved = PETSC_TRUE;
+    PetscCall(FrictionIterationMove_Private(snes, method, start, step.residual));
   }
   if (!pdas->converged && !pdas->failure) pdas->failure = pdas->fixed_point ? FAILURE_FIXED_POINT : FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -38,7 +71,7 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Fri
 
 /* The second method: Tresca problems; the limits of each follow from the pressures of the one before, after
    PLAIN_PROBLEMS with acceleration. Collective. */
-static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas, FrictionMethod method)
+static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec y)
 {
   PetscReal       *mu, *given;
   PetscBool        settled  = PETSC_FALSE;
@@ -49,7 +82,7 @@ static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas,
   PetscCall(FrictionAndersonCreate(method->units.num, &anderson));
   PetscCall(FrictionUnitsBeginFixedPoint(&method->units, &mu, &given));
   while (pdas->iterations < pdas->max_it && !pdas->failure && !settled) {
-    PetscCall(FrictionIterationNewton_Private(snes, pdas, method));
+    PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
     PetscCall(FrictionUnitsFreeze(&method->units, mu, given, ++problems > PLAIN_PROBLEMS ? &anderson : NULL, &settled));
     PetscCallMPI(MPI_Bcast(&settled, 1, MPIU_BOOL, 0, pdas->set.comm)); // the first rank may have all units
   }
@@ -68,12 +101,21 @@ static PetscErrorCode FrictionIterationCreate_Private(PDAS *pdas, FrictionMethod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Newton's method. If it fails, once more from the same y without sweeps or proximal steps. Where there are
-   several solutions these may lead to and fro between them. */
+/* Newton's method. If it fails, from the solution by pivoting if there is one. If that fails, once more
+   from the same y without sweeps or proximal steps. Where there are several solutions these may lead to
+   and fro between them. */
 static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec y)
 {
+  PetscBool pivoted = PETSC_FALSE;
+
   PetscFunctionBeginUser;
-  PetscCall(FrictionIterationNewton_Private(snes, pdas, method));
+  PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
+  if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
+  if (method->pivot) PetscCall((*method->pivot)(method, PETSC_TRUE, &pivoted));
+  if (pivoted) {
+    pdas->failure = NULL;
+    PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
+  }
   if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscInfo(snes, "friction, once more: %s\n", pdas->failure));
   PetscCall((*method->destroy)(method));
@@ -81,7 +123,7 @@ static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, Fric
   pdas->failure = NULL;
   method->plain = PETSC_TRUE;
   PetscCall(FrictionIterationCreate_Private(pdas, method, y));
-  PetscCall(FrictionIterationNewton_Private(snes, pdas, method));
+  PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -91,7 +133,7 @@ PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y
 
   PetscFunctionBeginUser;
   PetscCall(FrictionIterationCreate_Private(pdas, &method, y));
-  PetscCall(pdas->fixed_point ? FrictionIterationFixedPoint_Private(snes, pdas, &method)
+  PetscCall(pdas->fixed_point ? FrictionIterationFixedPoint_Private(snes, pdas, &method, y)
                               : FrictionIterationSolve_Private(snes, pdas, &method, y));
   PetscCall((*method.finish)(&method, y));
   PetscCall((*method.destroy)(&method));

@@ -37,6 +37,7 @@ typedef struct {
   PetscBool     *all;   /* true [n] */
   PetscReal      forcing, least, reference;
   PetscReal      size;    /* of the law's forces */
+  PetscReal      last;    /* residual after the last step */
   PetscReal      ratio;   /* residual after the last step over the one before it */
   PetscInt       waiting; /* steps since the last one that descended */
   PetscBool      strays;  /* a step did not descend: no more proximal steps */
@@ -248,6 +249,7 @@ static PetscErrorCode FrictionKrylovSolve_Private(FrictionMethod method, PetscRe
   t->ratio              = before > 0 ? step->residual / before : 1;
   t->waiting            = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
   t->least              = PetscMin(t->least, step->residual);
+  t->last               = step->residual;
   method->units.waiting = t->waiting;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -274,17 +276,25 @@ static PetscErrorCode FrictionKrylovConfirm_Private(FrictionMethod method, Frict
 }
 
 /* Proximal steps before the decisions. Not without displacements, since they carry loads only a few cells
-   far. Not after a step that did not descend: in slender bodies they may lead away from the solution. */
+   far. Not after a step that did not descend: in slender bodies they may lead away from the solution. If they
+   do not descend, as where they lead to another one of several solutions, they are taken back. */
 static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
 {
-  Krylov   *t = method->data;
-  PetscReal largest;
+  Krylov      *t = method->data;
+  FrictionStep after;
+  PetscReal    largest;
 
   PetscFunctionBeginUser;
   t->strays = (PetscBool)(t->strays || t->waiting);
   PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
   if (method->plain || !t->begun || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecCopy(t->y, t->d));
   PetscCall(FrictionProximalApply(&t->linear, &method->units, t->y, t->r, t->begin, t->f));
+  PetscCall(FrictionKrylovEvaluate_Private(method, &after));
+  if (after.residual < t->last) PetscFunctionReturn(PETSC_SUCCESS);
+  t->strays = PETSC_TRUE;
+  PetscCall(VecCopy(t->d, t->y));
+  PetscCall(FrictionKrylovEvaluate_Private(method, &after));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -301,7 +311,32 @@ static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
   PetscCall(FrictionKrylovDecide_Private(method, before.residual, step, &forcing));
   PetscCall(FrictionKrylovSolve_Private(method, before.residual, forcing, step));
   PetscCall(FrictionKrylovConfirm_Private(method, step));
+  step->waiting = t->waiting;
   if (!step->done && t->waiting >= patience) method->pdas->failure = FAILURE_FRICTION;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Get_Krylov(FrictionMethod method, Vec y)
+{
+  Krylov *t = method->data;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecCopy(t->y, y));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Set_Krylov(FrictionMethod method, Vec y)
+{
+  Krylov      *t = method->data;
+  FrictionStep now;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecCopy(y, t->y));
+  PetscCall(FrictionKrylovEvaluate_Private(method, &now));
+  t->last  = now.residual;
+  t->begun = PETSC_TRUE;
+  t->told  = PETSC_FALSE; // the cycle may have had another set
+  t->same  = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -443,13 +478,14 @@ PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y)
 {
   const ActiveSet *set = &method->pdas->set;
   Krylov          *t;
-  FrictionStep     first;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&t));
   method->data    = t;
   method->restart = Restart_Krylov;
   method->step    = Step_Krylov;
+  method->get     = Get_Krylov;
+  method->set     = Set_Krylov;
   method->finish  = Finish_Krylov;
   method->destroy = Destroy_Krylov;
   PetscCall(FrictionUnitsCreate(set, method->pdas->law, &method->units));
@@ -464,10 +500,8 @@ PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y)
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &t->turns, 1, MPIU_BOOL, MPI_LOR, set->comm));
   PetscCall(VecZeroEntries(t->y));
   PetscCall(ActiveSolverResidual(method->solver, t->all, t->y, t->r, t->f, &t->reference));
-  PetscCall(VecCopy(y, t->y));
   PetscCall(FrictionLinearCreate(method->solver, &method->units, &t->linear));
-  PetscCall(FrictionKrylovEvaluate_Private(method, &first));
-  t->begun = PETSC_TRUE;
+  PetscCall(Set_Krylov(method, y));
   if (method->pdas->previous) PetscCall(FrictionKrylovBegin_Private(method, method->pdas->previous));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

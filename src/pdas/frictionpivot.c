@@ -16,8 +16,9 @@
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Largest number of units: pivots then take some seconds. */
-enum { MOST_PIVOTED = 300 };
+/* Largest numbers of units, if pivoting is the first way that is tried, and the last one: pivots take half a
+   second, and some seconds. */
+enum { FIRST_PIVOTED = 300, LAST_PIVOTED = 500 };
 /* Pivots for each row before the method gives up. */
 enum { PIVOTS_PER_ROW = 20 };
 /* Elements below this part of the largest in their column are no pivots. */
@@ -98,14 +99,16 @@ static void FrictionPivotAssemble_Private(const FrictionUnits *units, Pivoting *
 
     FrictionPivotSetForces_Private(units, t, row + ROW_PLUS, k, 1);
     FrictionPivotSetForces_Private(units, t, row + ROW_MINUS, k, -1);
-    t->q[row + ROW_PLUS]                                = (unit->origin[0] - t->y[k]) / tangent;
-    t->q[row + ROW_MINUS]                               = -t->q[row + ROW_PLUS];
-    t->q[row + ROW_LIMIT]                               = unit->bound * tangent;
-    t->T[(row + ROW_PLUS) * (L + 1) + row + ROW_LIMIT]  = 1;
-    t->T[(row + ROW_MINUS) * (L + 1) + row + ROW_LIMIT] = 1;
-    t->T[(row + ROW_LIMIT) * (L + 1) + row]             = unit->coefficient * tangent / normal;
-    t->T[(row + ROW_LIMIT) * (L + 1) + row + ROW_PLUS]  = -1;
-    t->T[(row + ROW_LIMIT) * (L + 1) + row + ROW_MINUS] = -1;
+    t->q[row + ROW_PLUS]  = (unit->origin[0] - t->y[k]) / tangent;
+    t->q[row + ROW_MINUS] = -t->q[row + ROW_PLUS];
+    const PetscReal even  = 1 / PetscSqrtReal(1 + unit->coefficient); // scales its row and column
+
+    t->q[row + ROW_LIMIT]                               = even * unit->bound * tangent;
+    t->T[(row + ROW_PLUS) * (L + 1) + row + ROW_LIMIT]  = even;
+    t->T[(row + ROW_MINUS) * (L + 1) + row + ROW_LIMIT] = even;
+    t->T[(row + ROW_LIMIT) * (L + 1) + row]             = even * unit->coefficient * tangent / normal;
+    t->T[(row + ROW_LIMIT) * (L + 1) + row + ROW_PLUS]  = -even;
+    t->T[(row + ROW_LIMIT) * (L + 1) + row + ROW_MINUS] = -even;
   }
   for (PetscInt r = 0; r < L; r++) {
     t->T[r * (L + 1) + L] = 1 + COVER_VARIES * PetscSinReal((PetscReal)r);
@@ -200,6 +203,16 @@ static void FrictionPivotRun_Private(Pivoting *t, PetscBool *done)
   }
 }
 
+/* The unit and the row in it that variable z is of. */
+static PetscInt FrictionPivotFind_Private(const FrictionUnits *units, const Pivoting *t, PetscInt z, PetscInt *kind)
+{
+  PetscInt a = 0;
+
+  while (a + 1 < units->num && t->first[a + 1] <= z - t->L) a++;
+  *kind = z - t->L - t->first[a];
+  return a;
+}
+
 /* y of the forces that were found. */
 static void FrictionPivotGet_Private(const FrictionUnits *units, const Pivoting *t)
 {
@@ -207,11 +220,10 @@ static void FrictionPivotGet_Private(const FrictionUnits *units, const Pivoting 
 
   for (PetscInt i = 0; i < n; i++) units->y[i] = t->y[i];
   for (PetscInt r = 0; r < t->L; r++) {
-    PetscInt a = 0, kind, j;
+    PetscInt a, kind, j;
 
     if (t->basic[r] < t->L || t->basic[r] == 2 * t->L) continue;
-    while (a + 1 < units->num && t->first[a + 1] <= t->basic[r] - t->L) a++;
-    kind = t->basic[r] - t->L - t->first[a];
+    a = FrictionPivotFind_Private(units, t, t->basic[r], &kind);
     if (kind == ROW_LIMIT) continue;
     j                     = kind == ROW_NORMAL ? units->unit[a].normal : units->unit[a].tangent[0];
     const PetscReal force = (kind == ROW_MINUS ? -1 : 1) * t->q[r] / PetscSqrtReal(t->F[(n + 1) * j]);
@@ -220,16 +232,40 @@ static void FrictionPivotGet_Private(const FrictionUnits *units, const Pivoting 
   }
 }
 
-PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool *done)
+/* The decisions of the basis: p > 0 is contact, and lambda > 0 is slip. Where p is a small part of the
+   tangential force they would not follow from values and forces. */
+static void FrictionPivotDecide_Private(FrictionUnits *units, const Pivoting *t)
 {
-  const FrictionUnits *units = problem->units;
-  Pivoting             t     = {.L = 0};
+  FrictionUnitsForget(units);
+  for (PetscInt r = 0; r < t->L; r++) {
+    PetscInt      kind;
+    FrictionUnit *unit;
+
+    if (t->basic[r] < t->L || t->basic[r] == 2 * t->L) continue;
+    unit = &units->unit[FrictionPivotFind_Private(units, t, t->basic[r], &kind)];
+    if (kind == ROW_NORMAL) unit->closed = PETSC_TRUE;
+    if (kind == ROW_LIMIT) unit->status = UNIT_SLIP;
+    if (kind == ROW_PLUS) unit->direction[0] = 1;
+    if (kind == ROW_MINUS) unit->direction[0] = -1;
+  }
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit *unit = &units->unit[a];
+
+    unit->turning = 0;
+    if (unit->num && unit->status == UNIT_FREE && (unit->closed || unit->bound > 0)) unit->status = UNIT_STICK;
+  }
+}
+
+PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool last, PetscBool *done)
+{
+  FrictionUnits *units = problem->units;
+  Pivoting       t     = {.L = 0};
 
   PetscFunctionBeginUser;
   *done = PETSC_FALSE;
   for (PetscInt a = 0; a < units->num; a++)
     if (units->unit[a].num > 1) PetscFunctionReturn(PETSC_SUCCESS); // cones of space are not linear
-  if (units->num > MOST_PIVOTED) PetscFunctionReturn(PETSC_SUCCESS);
+  if (units->num > LAST_PIVOTED || (units->num > FIRST_PIVOTED) != last) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(units->num, &t.first));
   for (PetscInt a = 0; a < units->num; a++) {
     t.first[a] = t.L;
@@ -246,10 +282,7 @@ PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool *done)
   if (*done) {
     FrictionPivotGet_Private(units, &t);
     PetscCall(FrictionProblemSetForces(problem));
-    for (PetscInt a = 0; a < units->num; a++) { // the next ones follow from these values alone
-      units->unit[a].closed = units->unit[a].ended = PETSC_FALSE;
-      units->unit[a].status                        = UNIT_FREE;
-    }
+    FrictionPivotDecide_Private(units, &t);
   }
   PetscCall(PetscFree(t.first));
   PetscCall(PetscFree2(t.T, t.q));

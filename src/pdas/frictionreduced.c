@@ -11,8 +11,6 @@ static const PetscReal FRICTION_RTOL = 1e-10;
    begins anew without sweeps after SWEPT_PATIENCE of them. */
 enum { PATIENCE = 40, SWEPT_PATIENCE = 10, FRICTION_REFINEMENTS = 2 };
 static const PetscReal DESCENT = 0.9;
-/* After PIVOT_STEPS steps in a row that do not descend, pivoting finds a solution, once. */
-enum { PIVOT_STEPS = 5 };
 
 typedef struct {
   PetscMPIInt     rank;
@@ -20,7 +18,7 @@ typedef struct {
   PetscReal      *from, *to; /* y at the begin and the end of a step; on the first rank [n] */
   PetscReal       least;     /* residual so far */
   PetscInt        waiting;   /* steps since then */
-  PetscBool       pivoted;   /* pivoting was tried */
+  PetscBool       pivoted;   /* y is of pivoting, which needs no sweeps */
 } Reduced;
 
 /* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from)
@@ -54,20 +52,42 @@ static PetscErrorCode FrictionReducedSlopes_Private(Reduced *t, PetscReal slope[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Shortens the step from t->from if it is too long: to its end without the slip that turned back, or to the
-   part with the least energy, whichever has less. */
-static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *shortened)
+/* Takes the end of the step, t->to, in place of its part, if it leaves less of the law's residual: the
+   part is that of an energy with the limits of the end, which may differ much from those of the part.
+   [in,out] step - residual of the end */
+static PetscErrorCode FrictionReducedCompare_Private(Reduced *t, FrictionStep *step)
 {
   FrictionUnits *units = t->problem.units;
-  PetscReal      slope[2], alpha, energy, work, *part;
+  FrictionStep   part  = *step;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &part.residual, &part.size));
+  step->shortened = (PetscBool)(part.residual <= step->residual);
+  if (step->shortened) {
+    step->residual = part.residual;
+    step->size     = part.size;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  for (PetscInt a = 0; a < units->num; a++) units->unit[a].ended = PETSC_FALSE;
+  PetscCall(PetscArraycpy(units->y, t->to, units->n));
+  PetscCall(FrictionProblemSetForces(&t->problem));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Changes the step from t->from if it is too long or too short: to its end without the slip that turned back,
+   or to the part with the least energy, whichever has less. [in,out] step - residual */
+static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, FrictionStep *step)
+{
+  FrictionUnits *units = t->problem.units;
+  PetscReal      slope[2], alpha, energy, work, *part, *whole;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(t->to, units->y, units->n));
   PetscCall(FrictionReducedSlopes_Private(t, slope));
   PetscCall(FrictionUnitsSearch(units, t->from, slope, &alpha, &energy));
-  *shortened = (PetscBool)(alpha != 1);
-  if (!*shortened) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc1(units->n, &part));
+  if (alpha == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc2(units->n, &part, units->n, &whole));
+  PetscCall(PetscArraycpy(whole, units->y, units->n));
   for (PetscInt i = 0; i < units->n; i++) part[i] = t->from[i] + alpha * (t->to[i] - t->from[i]);
   PetscCall(FrictionUnitsClip(units, t->from, t->to, &work));
   PetscCall(FrictionReducedSlopes_Private(t, slope));
@@ -77,35 +97,27 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, PetscBool *short
     PetscCall(PetscArraycpy(units->y, part, units->n));
     PetscCall(FrictionProblemSetForces(&t->problem));
   }
-  PetscCall(PetscFree(part));
+  PetscCall(PetscArraycpy(t->to, whole, units->n));
+  PetscCall(PetscFree2(part, whole));
+  if (alpha > 1) step->residual = PETSC_MAX_REAL;
+  PetscCall(FrictionReducedCompare_Private(t, step));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Improves y before the decisions. [in] plain - of the method; [in] pivots - whether pivoting is allowed */
-static PetscErrorCode FrictionReducedSettle_Private(Reduced *t, PetscBool plain, PetscBool pivots)
-{
-  PetscBool done = PETSC_FALSE;
-
-  PetscFunctionBeginUser;
-  if (pivots && !t->pivoted && t->waiting >= PIVOT_STEPS) {
-    t->pivoted = PETSC_TRUE;
-    PetscCall(FrictionProblemPivot(&t->problem, &done));
-    if (done) t->problem.units->waiting = 0;
-  }
-  if (!plain && !done) PetscCall(FrictionProblemSweep(&t->problem));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* One step on the first rank. [in] plain, pivots - of FrictionReducedSettle_Private(); [out] failed */
-static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool plain, PetscBool pivots,
+/* One step on the first rank. [in] plain - of the method; [in] patience - steps; [out] failed */
+static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool plain, PetscInt patience,
                                                        FrictionStep *step, PetscBool *failed)
 {
   FrictionUnits *units = t->problem.units;
   FrictionReport count;
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionReducedSettle_Private(t, plain, pivots));
-  PetscCall(FrictionUnitsDecide(units, &step->changed));
+  if (!plain && !t->pivoted) PetscCall(FrictionProblemSweep(&t->problem));
+  if (t->pivoted)
+    step->changed = units->num;
+  else
+    PetscCall(FrictionUnitsDecide(units, &step->changed));
+  t->pivoted = PETSC_FALSE;
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));
   PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
@@ -113,26 +125,52 @@ static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool pla
   step->done       = (PetscBool)(step->residual <= FRICTION_RTOL * step->size);
   step->iterations = 1;
   if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(FrictionReducedSearch_Private(t, &step->shortened));
-  if (step->shortened) PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
+  PetscCall(FrictionReducedSearch_Private(t, step));
   t->waiting     = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
   t->least       = PetscMin(t->least, step->residual);
-  units->waiting = t->waiting;
-  *failed        = (PetscBool)(t->waiting >= (plain || !pivots ? PATIENCE : SWEPT_PATIENCE));
+  units->waiting = step->waiting = t->waiting;
+  *failed                        = (PetscBool)(t->waiting >= patience);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Step_Reduced(FrictionMethod method, FrictionStep *step)
 {
-  Reduced  *t      = method->data;
-  PetscBool failed = PETSC_FALSE;
+  const PetscInt patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
+  Reduced       *t        = method->data;
+  PetscBool      failed   = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  if (!t->rank)
-    PetscCall(FrictionReducedStepFirst_Private(t, method->plain, (PetscBool)!method->pdas->fixed_point, step, &failed));
+  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, method->plain, patience, step, &failed));
   PetscCallMPI(MPI_Bcast(step, sizeof(*step), MPI_BYTE, 0, method->pdas->set.comm));
   PetscCallMPI(MPI_Bcast(&failed, 1, MPIU_BOOL, 0, method->pdas->set.comm));
   if (failed) method->pdas->failure = FAILURE_FRICTION;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Pivot_Reduced(FrictionMethod method, PetscBool last, PetscBool *done)
+{
+  Reduced *t = method->data;
+
+  PetscFunctionBeginUser;
+  *done = PETSC_FALSE;
+  if (!t->rank) PetscCall(FrictionProblemPivot(&t->problem, last, done));
+  t->pivoted = *done;
+  PetscCallMPI(MPI_Bcast(done, 1, MPIU_BOOL, 0, method->pdas->set.comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Set_Reduced(FrictionMethod method, Vec y)
+{
+  const ActiveSet *set = &method->pdas->set;
+  Reduced         *t   = method->data;
+  PetscReal       *own;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(set->n, &own));
+  PetscCall(ActiveSetGather(set, y, own));
+  PetscCall(SchurSolverGather(method->solver, own, t->rank ? NULL : method->units.y));
+  PetscCall(PetscFree(own));
+  if (!t->rank) PetscCall(FrictionProblemSetForces(&t->problem));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -162,6 +200,18 @@ static PetscErrorCode FrictionReducedExpand_Private(PDAS *pdas, ActiveSolver sol
   PetscCall(solver->solve(solver, all, value, solution));
   PetscCall(solver->finish(solver, solution, y));
   PetscCall(PetscFree2(all, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Get_Reduced(FrictionMethod method, Vec y)
+{
+  Reduced       *t = method->data;
+  ActiveSolution solution;
+
+  PetscFunctionBeginUser;
+  PetscCall(ActiveSolutionCreate(&method->pdas->set, &solution));
+  PetscCall(FrictionReducedExpand_Private(method->pdas, method->solver, &t->problem, &solution, y));
+  PetscCall(ActiveSolutionDestroy(&solution));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -244,13 +294,16 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
   const ActiveSolver solver = method->solver;
   Reduced           *t;
   PetscScalar       *S = NULL;
-  PetscReal         *own, *g = NULL;
+  PetscReal         *g = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&t));
   method->data    = t;
   method->restart = Restart_Reduced;
   method->step    = Step_Reduced;
+  method->pivot   = Pivot_Reduced;
+  method->get     = Get_Reduced;
+  method->set     = Set_Reduced;
   method->finish  = Finish_Reduced;
   method->destroy = Destroy_Reduced;
   PetscCallMPI(MPI_Comm_rank(set->comm, &t->rank));
@@ -258,13 +311,7 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
   PetscCall(SchurSolverGetReduced(solver, &S, &g));
   PetscCall(FrictionProblemCreate(&method->units, S, &t->problem));
   PetscCall(PetscMalloc2(method->units.n, &t->from, method->units.n, &t->to));
-  PetscCall(PetscMalloc1(set->n, &own));
-  PetscCall(ActiveSetGather(set, y, own));
-  PetscCall(SchurSolverGather(solver, own, t->rank ? NULL : method->units.y));
-  PetscCall(PetscFree(own));
-  if (!t->rank) {
-    PetscCall(PetscArraycpy(t->problem.g, g, method->units.n));
-    PetscCall(FrictionProblemSetForces(&t->problem));
-  }
+  if (!t->rank) PetscCall(PetscArraycpy(t->problem.g, g, method->units.n));
+  PetscCall(Set_Reduced(method, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

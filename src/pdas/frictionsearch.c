@@ -6,6 +6,9 @@
    whose slip ends at alpha sticks in the next decisions. Therefore the units of a body that friction alone
    holds cannot alternate between directions of slip for ever [1].
 
+   In space a step is too short where slip grows: the resistance to turning falls with its size, and the
+   step has that of its begin. Then alpha is above 1.
+
    Where slip reverses at many units, that is one unit per step. Therefore the end of the step is tried, too,
    with no slip at the units where it reversed [2]. If its J is less, all these units stick next.
 
@@ -14,15 +17,15 @@
    onto the orthant where |s| is smooth. */
 #include "pdas/frictionimpl.h"
 
-/* A step is shortened if the slope of the energy at its end is above this part of the slope at its begin.
-   BISECTIONS: their number for the part. */
+/* A step is changed if the slope of the energy at its end is above this part of the slope at its begin.
+   BISECTIONS: their number for the part. DOUBLINGS: of a step that is too short, at most. */
 static const PetscReal OVERSHOOT = 0.1;
 /* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of their way
    in a shortened step. In space a step passes the end of slip at a distance. Relative to the whole step, all
    units of a body that slides freely would stick. */
 static const PetscReal SLIP_ENDS = 0.02;
 enum { SLOW_STEPS = 6 };
-enum { BISECTIONS = 40 };
+enum { BISECTIONS = 40, DOUBLINGS = 6 };
 
 /* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
 static void FrictionSearchProject_Private(const FrictionUnits *units, const FrictionUnit *unit, PetscReal limit,
@@ -180,7 +183,13 @@ PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[],
   PetscCall(FrictionSearchEnergy_Private(units, from, slope, outer, &end));
   *alpha  = outer;
   *energy = 0;
-  if (begin * end >= 0 || PetscAbsReal(end) <= OVERSHOOT * PetscAbsReal(begin)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (PetscAbsReal(end) <= OVERSHOOT * PetscAbsReal(begin)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt k = 0; k < DOUBLINGS && outer > 0 && begin * end > 0; k++) {
+    inner = outer;
+    outer *= 2;
+    PetscCall(FrictionSearchEnergy_Private(units, from, slope, outer, &end));
+  }
+  if (begin * end >= 0) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 0; k < BISECTIONS; k++) {
     const PetscReal middle = (inner + outer) / 2;
     PetscReal       change;

@@ -304,6 +304,14 @@ PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+void FrictionUnitsForget(FrictionUnits *units)
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    units->unit[a].closed = units->unit[a].ended = PETSC_FALSE;
+    units->unit[a].status                        = UNIT_FREE;
+  }
+}
+
 void FrictionUnitsPrescribe(FrictionUnits *units)
 {
   for (PetscInt a = 0; a < units->num; a++) {

@@ -1,0 +1,70 @@
+/* frictionrelease.c -- goes on from the solution without friction, where Newton's steps do not descend.
+
+   A thin body that is pressed by its own tension, like a belt, has no tension behind nodes that stick, and
+   so no pressure there. Contact and slip then spread along it by its bending length in each step. Without
+   friction all of it slides and is pressed, and the next step finds what sticks. So it is where heat moves
+   all of a body along rigid jaws. */
+#include "pdas/frictionimpl.h"
+
+/* Largest number of steps without friction. */
+enum { RELEASED_STEPS = 8 };
+
+/* Solves without friction, from the initial set. [in,out] y - initial guess, solution; [out] solved */
+static PetscErrorCode FrictionReleaseSolve_Private(SNES snes, FrictionMethod method, Vec y, PetscBool *solved)
+{
+  PDAS          *pdas   = method->pdas;
+  ActiveSet     *set    = &pdas->set;
+  const PetscInt max_it = pdas->max_it;
+  PetscBool     *closed;
+  PetscInt       changed;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(set->n, &closed));
+  for (PetscInt i = 0; i < set->n; i++) closed[i] = (PetscBool)(set->active[i] && set->upper[i] < PETSC_INFINITY);
+  PetscCall(ActiveSetReplace(set, closed, &changed));
+  PetscCall(PetscFree(closed));
+  pdas->max_it   = PetscMin(max_it, pdas->iterations + RELEASED_STEPS);
+  pdas->num_seen = 0;
+  PetscCall(PDASIterate(snes, pdas, set, method->solver, y));
+  *solved         = pdas->converged;
+  pdas->max_it    = max_it;
+  pdas->converged = PETSC_FALSE;
+  pdas->failure   = NULL;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, PetscReal residual)
+{
+  PDAS          *pdas  = method->pdas;
+  FrictionUnits *units = &method->units;
+  FrictionUnit  *kept;
+  FrictionStep   step = {.residual = residual};
+  Vec            before, without;
+  PetscBool      solved = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(units->num, &kept));
+  PetscCall(PetscArraycpy(kept, units->unit, units->num));
+  PetscCall(VecDuplicate(start, &before));
+  PetscCall(VecDuplicate(start, &without));
+  PetscCall((*method->get)(method, before));
+  PetscCall(VecCopy(start, without));
+  PetscCall(FrictionReleaseSolve_Private(snes, method, without, &solved));
+  PetscCall((*method->restart)(method));
+  if (solved) {
+    FrictionUnitsForget(units);
+    PetscCall((*method->set)(method, without));
+    PetscCall(FrictionIterationStep(snes, method, &step));
+  }
+  if (!pdas->converged && !(step.residual < residual)) {
+    PetscCall(PetscInfo(snes, "friction: back from the solution without it\n"));
+    PetscCall(PetscArraycpy(units->unit, kept, units->num));
+    PetscCall((*method->set)(method, before));
+    PetscCall((*method->restart)(method));
+    pdas->failure = NULL;
+  }
+  PetscCall(VecDestroy(&before));
+  PetscCall(VecDestroy(&without));
+  PetscCall(PetscFree(kept));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -1,0 +1,13 @@
+"""A block in space 4e-4 of the coefficient within what holds it: slip grows far beyond its begin, and turns everywhere into one direction. Steps were too short, since they have the
+resistance to turning of their begin: 21 before steps may become longer."""
+import math
+
+from judge import near, require
+
+MOST = 17  # Newton steps, with those of the proximal point iteration
+
+
+def judge(run):
+    pair = run.pair("joint")
+    near("tangential force over normal force", math.hypot(*pair["tangential_force"]) / pair["normal_force"], math.hypot(0.2, 0.1), relative=1e-8)
+    require(run.summary["solver"]["iterations"] <= MOST, f"{run.summary['solver']['iterations']} Newton steps")
