@@ -15,10 +15,15 @@
 /* Projected steps at the start and after each cycle, and the largest number of cycles: two or three until the
    set does not change. */
 enum { PROJECTED_STEPS = 4, STEPS_PER_CYCLE = 1, MAX_CYCLES = 3 };
-/* Cycles without a coarser mesh to start from: a set that is too large loses one ring of nodes in each. */
+/* Sets without a coarser mesh to start from: one that is too large loses a few rings of nodes in each. */
 enum { MAX_FIRST_CYCLES = 12 };
-/* The systems of the last few changes cost less than cycles: they stop where this part of the set changes. */
-static const PetscReal FEW_CHANGES = 0.02;
+/* The systems of the last few changes cost less than cycles: these stop where less than this part of the set
+   changes. */
+static const PetscReal FEW_CHANGES = 0.01;
+/* Where contact alone holds a body, the first cycle moves it far beyond its bounds. Unknowns that go less
+   than this part of the farthest one beyond are not in the first set. Each set then has two cycles. */
+static const PetscReal DEEP_FROM = 0.9;
+enum { FLOATING_CYCLES = 2 };
 /* Step length relative to the largest stable one. */
 static const PetscReal RELAXATION = 0.9;
 
@@ -31,6 +36,7 @@ typedef struct {
   Vec                   active; /* 1 or 0: at its bound with a force on it */
   Vec                   free;   /* 1 - active */
   Vec                   step, product;
+  PetscInt              pulling; /* active unknowns whose force has become a pull */
 } Iterate;
 
 /* Computes r and the energy of y. */
@@ -62,16 +68,16 @@ static PetscErrorCode ActivePredictionSteps_Private(Iterate *it, PetscInt num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Updates the active set. [out] changed */
+/* Updates the active set, and counts what pulls. [out] changed */
 static PetscErrorCode ActivePredictionUpdateActive_Private(Iterate *it, PetscInt *changed)
 {
-  const PetscScalar *upper, *y, *r;
+  const PetscScalar *upper, *y, *r, *free;
   PetscScalar       *active;
-  PetscInt           n;
+  PetscInt           n, count[2] = {0, 0};
 
   PetscFunctionBeginUser;
-  *changed = 0;
   PetscCall(VecGetLocalSize(it->y, &n));
+  PetscCall(VecGetArrayRead(it->free, &free));
   PetscCall(VecGetArrayRead(it->level->op.upper, &upper));
   PetscCall(VecGetArrayRead(it->y, &y));
   PetscCall(VecGetArrayRead(it->r, &r));
@@ -79,14 +85,18 @@ static PetscErrorCode ActivePredictionUpdateActive_Private(Iterate *it, PetscInt
   for (PetscInt i = 0; i < n; i++) {
     const PetscScalar now = PetscRealPart(y[i]) >= PetscRealPart(upper[i]) && PetscRealPart(r[i]) > 0 ? 1 : 0;
 
-    *changed += active[i] != now;
+    count[0] += active[i] != now;
+    count[1] += free[i] == 0 && now == 0;
     active[i] = now;
   }
   PetscCall(VecRestoreArray(it->active, &active));
   PetscCall(VecRestoreArrayRead(it->r, &r));
   PetscCall(VecRestoreArrayRead(it->y, &y));
   PetscCall(VecRestoreArrayRead(it->level->op.upper, &upper));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, changed, 1, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)it->y)));
+  PetscCall(VecRestoreArrayRead(it->free, &free));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_INT, MPI_SUM, PetscObjectComm((PetscObject)it->y)));
+  *changed    = count[0];
+  it->pulling = count[1];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -109,50 +119,136 @@ static PetscErrorCode ActivePredictionMove_Private(Iterate *it, Vec c)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* c = M B M r, a cycle for the free unknowns. [in] kept - whether B is that of the set before */
-static PetscErrorCode ActivePredictionCorrect_Private(Iterate *it, PC pc, PetscBool kept, Vec c)
+/* The largest limit below which at most num of the pressures lie. [in] pressure - of this rank [n] */
+static PetscErrorCode ActivePredictionLimit_Private(MPI_Comm comm, PetscInt n, const PetscReal pressure[], PetscInt num,
+                                                    PetscReal *limit)
+{
+  enum { HALVINGS = 40 };
+  PetscReal upper = 0;
+
+  PetscFunctionBeginUser;
+  *limit = 0;
+  for (PetscInt i = 0; i < n; i++) upper = PetscMax(upper, pressure[i]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &upper, 1, MPIU_REAL, MPIU_MAX, comm));
+  for (PetscInt k = 0; k < HALVINGS; k++) {
+    const PetscReal middle = 0.5 * (*limit + upper);
+    PetscInt        below  = 0;
+
+    for (PetscInt i = 0; i < n; i++) below += pressure[i] < middle;
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &below, 1, MPIU_INT, MPI_SUM, comm));
+    if (below > num)
+      upper = middle;
+    else
+      *limit = middle;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Frees as many pressed unknowns as pull, those with the least pressure: half of what is too much in a round
+   contact pulls, if supports hold both bodies. What should touch is projected back. */
+static PetscErrorCode ActivePredictionRelease_Private(Iterate *it)
+{
+  const PetscScalar *r, *diag;
+  PetscScalar       *free;
+  PetscReal         *pressure, limit;
+  PetscInt           n, num = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetLocalSize(it->free, &n));
+  PetscCall(PetscMalloc1(n, &pressure));
+  PetscCall(VecGetArrayRead(it->r, &r));
+  PetscCall(VecGetArrayRead(it->level->diag, &diag));
+  PetscCall(VecGetArray(it->free, &free));
+  for (PetscInt i = 0; i < n; i++)
+    if (free[i] == 0) pressure[num++] = PetscRealPart(r[i] / diag[i]);
+  PetscCall(ActivePredictionLimit_Private(PetscObjectComm((PetscObject)it->free), num, pressure, it->pulling, &limit));
+  for (PetscInt i = 0; i < n; i++)
+    if (free[i] == 0 && PetscRealPart(r[i] / diag[i]) < limit) free[i] = 1;
+  PetscCall(VecRestoreArray(it->free, &free));
+  PetscCall(VecRestoreArrayRead(it->level->diag, &diag));
+  PetscCall(VecRestoreArrayRead(it->r, &r));
+  PetscCall(PetscFree(pressure));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode ActivePredictionSetFree_Private(Iterate *it)
 {
   PetscFunctionBeginUser;
   PetscCall(VecSet(it->free, 1));
   PetscCall(VecAXPY(it->free, -1, it->active));
-  if (!kept) PetscCall(MultigridSetFree(pc, it->free, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* c = M B M r, a cycle for the free unknowns. */
+static PetscErrorCode ActivePredictionCorrect_Private(Iterate *it, PC pc, Vec c)
+{
+  PetscFunctionBeginUser;
   PetscCall(VecPointwiseMult(it->product, it->r, it->free));
   PetscCall(PCApply(pc, it->product, c));
   PetscCall(VecPointwiseMult(c, c, it->free));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One cycle for the free unknowns, projected onto the bounds. */
-static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc)
+/* Cycles for the free unknowns, projected onto the bounds. */
+static PetscErrorCode ActivePredictionCycle_Private(Iterate *it, PC pc, PetscInt num)
 {
   const Vec upper = it->level->op.upper, c = it->step;
 
   PetscFunctionBeginUser;
-  PetscCall(ActivePredictionCorrect_Private(it, pc, PETSC_FALSE, c));
-  PetscCall(VecAXPY(c, 1, it->y));
-  PetscCall(VecPointwiseMin(c, c, upper));
-  PetscCall(VecAXPY(c, -1, it->y));
-  PetscCall(ActivePredictionMove_Private(it, c));
+  PetscCall(MultigridSetFree(pc, it->free, NULL));
+  for (PetscInt k = 0; k < num; k++) {
+    PetscCall(ActivePredictionCorrect_Private(it, pc, c));
+    PetscCall(VecAXPY(c, 1, it->y));
+    PetscCall(VecPointwiseMin(c, c, upper));
+    PetscCall(VecAXPY(c, -1, it->y));
+    PetscCall(ActivePredictionMove_Private(it, c));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* One cycle beyond the bounds, and back onto them: unknowns beyond their bounds are set to these. From a
-   start without contact a step within the bounds would be short.
-   [in] kept - of ActivePredictionCorrect_Private() */
+   start without contact a step within the bounds would be short. it->step is how far they were beyond.
+   [in] kept - whether pc has the factors of the set before */
 static PetscErrorCode ActivePredictionJump_Private(Iterate *it, PC pc, PetscBool kept)
 {
   const Vec   c = it->step;
   PetscScalar work, energy;
 
   PetscFunctionBeginUser;
-  PetscCall(ActivePredictionCorrect_Private(it, pc, kept, c));
+  PetscCall(ActivePredictionSetFree_Private(it));
+  if (!kept) PetscCall(MultigridSetFree(pc, it->free, NULL));
+  PetscCall(ActivePredictionCorrect_Private(it, pc, c));
   PetscCall(MatMult(it->level->op.A, c, it->product));
   it->hierarchy->work += it->level->share;
   PetscCall(VecDot(c, it->r, &work));
   PetscCall(VecDot(c, it->product, &energy));
   if (PetscRealPart(energy) > 0) PetscCall(VecAXPY(it->y, work / energy, c));
+  PetscCall(VecCopy(it->y, it->step));
   PetscCall(VecPointwiseMin(it->y, it->y, it->level->op.upper));
+  PetscCall(VecAXPY(it->step, -1, it->y));
   PetscCall(ActivePredictionEvaluate_Private(it));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Leaves in the set what the first cycle moved farthest beyond the bounds, and what it began with. */
+static PetscErrorCode ActivePredictionKeepDeep_Private(Iterate *it)
+{
+  const PetscScalar *beyond, *free;
+  PetscScalar       *active;
+  PetscReal          most;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecMax(it->step, NULL, &most));
+  PetscCall(VecGetLocalSize(it->step, &n));
+  PetscCall(VecGetArrayRead(it->step, &beyond));
+  PetscCall(VecGetArrayRead(it->free, &free));
+  PetscCall(VecGetArray(it->active, &active));
+  for (PetscInt i = 0; i < n; i++)
+    if (free[i] != 0 && PetscRealPart(beyond[i]) < DEEP_FROM * most) active[i] = 0;
+  PetscCall(VecRestoreArray(it->active, &active));
+  PetscCall(VecRestoreArrayRead(it->free, &free));
+  PetscCall(VecRestoreArrayRead(it->step, &beyond));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -163,6 +259,7 @@ static PetscErrorCode ActivePredictionBegin_Private(Iterate *it)
   PetscCall(VecDuplicate(it->y, &it->free));
   PetscCall(VecDuplicate(it->y, &it->step));
   PetscCall(VecDuplicate(it->y, &it->product));
+  PetscCall(VecSet(it->free, 1));
   PetscCall(ActivePredictionEvaluate_Private(it));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -205,7 +302,8 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
   PetscCall(ActivePredictionSteps_Private(&it, PROJECTED_STEPS));
   PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
   for (PetscInt k = 0; k < MAX_CYCLES && pc && (!k || changed); k++) {
-    PetscCall(ActivePredictionCycle_Private(&it, pc));
+    PetscCall(ActivePredictionSetFree_Private(&it));
+    PetscCall(ActivePredictionCycle_Private(&it, pc, 1));
     PetscCall(ActivePredictionSteps_Private(&it, STEPS_PER_CYCLE));
     PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
     PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " ahead: %" PetscInt_FMT " changed\n", k + 1, changed));
@@ -235,7 +333,8 @@ PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active)
+PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, PetscBool floats, Vec y,
+                                     Vec active)
 {
   Iterate   it      = {.hierarchy = hierarchy, .level = level, .y = y, .active = active};
   PetscInt  changed = 0;
@@ -245,9 +344,13 @@ PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *
   PetscCall(ActivePredictionBegin_Private(&it));
   PetscCall(ActivePredictionJump_Private(&it, pc, PETSC_FALSE));
   PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
+  if (floats) PetscCall(ActivePredictionKeepDeep_Private(&it));
+  it.pulling = 0;
   PetscCall(VecNorm(active, NORM_1, &size));
   for (PetscInt k = 0; k < MAX_FIRST_CYCLES && (PetscReal)changed > FEW_CHANGES * size; k++) {
-    PetscCall(ActivePredictionCycle_Private(&it, pc));
+    PetscCall(ActivePredictionSetFree_Private(&it));
+    if (it.pulling) PetscCall(ActivePredictionRelease_Private(&it));
+    PetscCall(ActivePredictionCycle_Private(&it, pc, floats ? FLOATING_CYCLES : 1));
     PetscCall(ActivePredictionUpdateActive_Private(&it, &changed));
     PetscCall(VecNorm(active, NORM_1, &size));
     PetscCall(PetscInfo(pc, "cycle %" PetscInt_FMT " ahead: %" PetscInt_FMT " changed\n", k + 1, changed));

@@ -18,10 +18,11 @@ PetscErrorCode ActivePredictionApply(Hierarchy hierarchy, const HierarchyLevel *
 PetscErrorCode ActivePredictionBeyond(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, PetscBool kept, Vec y,
                                       Vec active);
 /* The same without a coarser mesh. One cycle for the initial set goes beyond the bounds and back onto them.
-   Others follow until the set does not change. Collective.
-   [in] pc - multigrid on the level; [in,out] y - feasible; fixed unknowns have their values;
-   [in,out] active - 1 or 0 */
-PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, Vec y, Vec active);
+   Others follow until the set hardly changes. Collective.
+   [in] pc - multigrid on the level; [in] floats - whether contact alone holds a body;
+   [in,out] y - feasible; fixed unknowns have their values; [in,out] active - 1 or 0 */
+PetscErrorCode ActivePredictionStart(Hierarchy hierarchy, const HierarchyLevel *level, PC pc, PetscBool floats, Vec y,
+                                     Vec active);
 /* The set of y: 1 where an unknown is at its bound with a force on it, else 0. Collective. [out] active */
 PetscErrorCode ActivePredictionGetActive(Hierarchy hierarchy, const HierarchyLevel *level, Vec y, Vec active);
 

@@ -263,7 +263,7 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more
     if (l)
       PetscCall(TruncationUpdateCreate(&level->base->op, level->change, dC, level->free, is,
                                        level->ready ? NULL : level->W, &update));
-    if (level->change && dC) PetscCall(MatAXPY(level->change, 1, dC, DIFFERENT_NONZERO_PATTERN));
+    if (level->change && dC) PetscCall(TruncationUpdateAdd(level->change, dC));
     if (dC && !level->change) PetscCall(PetscObjectReference((PetscObject)dC));
     if (dC && !level->change) level->change = dC;
     if (l == num - 1 && !more) PetscCall(MatDestroy(&level->change)); // it is 0

@@ -241,10 +241,10 @@ static PetscErrorCode TruncationUpdateFits_Private(Mat few, Mat many, PetscBool 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* sum := X, 0 where X has no entry; MatAXPY() would look up each entry.
+/* sum := X, 0 where X has no entry, or sum += X; MatAXPY() would look up each entry.
    [in] X_columns, sum_columns - global columns of a block of ghosts, ascending, or both NULL */
-static PetscErrorCode TruncationUpdateCopyBlock_Private(Mat X, const PetscInt X_columns[], Mat sum,
-                                                        const PetscInt sum_columns[])
+static PetscErrorCode TruncationUpdateAddBlock_Private(Mat X, const PetscInt X_columns[], PetscBool add, Mat sum,
+                                                       const PetscInt sum_columns[])
 {
   PetscInt           n;
   const PetscInt    *start[2], *column[2];
@@ -264,7 +264,9 @@ static PetscErrorCode TruncationUpdateCopyBlock_Private(Mat X, const PetscInt X_
       const PetscBool in  = (PetscBool)(at < start[0][row + 1]);
       const PetscInt  one = !in ? -1 : X_columns ? X_columns[column[0][at]] : column[0][at];
 
-      to[j] = in && one == (sum_columns ? sum_columns[column[1][j]] : column[1][j]) ? from[at++] : 0;
+      if (!in && add) break;
+      if (!add) to[j] = 0;
+      if (in && one == (sum_columns ? sum_columns[column[1][j]] : column[1][j])) to[j] += from[at++];
     }
   }
   PetscCall(MatSeqAIJRestoreArray(sum, &to));
@@ -274,8 +276,8 @@ static PetscErrorCode TruncationUpdateCopyBlock_Private(Mat X, const PetscInt X_
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* sum := X, whose nonzeros are among those of sum. Collective. */
-static PetscErrorCode TruncationUpdateCopy_Private(Mat X, Mat sum)
+/* sum := X, or sum += X. The nonzeros of X are among those of sum. Collective. */
+static PetscErrorCode TruncationUpdateAddMatrix_Private(Mat X, PetscBool add, Mat sum)
 {
   PetscBool       parallel;
   Mat             own[2], ghosts[2];
@@ -286,13 +288,26 @@ static PetscErrorCode TruncationUpdateCopy_Private(Mat X, Mat sum)
   if (parallel) {
     PetscCall(MatMPIAIJGetSeqAIJ(X, &own[0], &ghosts[0], &columns[0]));
     PetscCall(MatMPIAIJGetSeqAIJ(sum, &own[1], &ghosts[1], &columns[1]));
-    PetscCall(TruncationUpdateCopyBlock_Private(own[0], NULL, own[1], NULL));
-    PetscCall(TruncationUpdateCopyBlock_Private(ghosts[0], columns[0], ghosts[1], columns[1]));
+    PetscCall(TruncationUpdateAddBlock_Private(own[0], NULL, add, own[1], NULL));
+    PetscCall(TruncationUpdateAddBlock_Private(ghosts[0], columns[0], add, ghosts[1], columns[1]));
     PetscCall(MatAssemblyBegin(sum, MAT_FINAL_ASSEMBLY)); // it has changed
     PetscCall(MatAssemblyEnd(sum, MAT_FINAL_ASSEMBLY));
   } else {
-    PetscCall(TruncationUpdateCopyBlock_Private(X, NULL, sum, NULL));
+    PetscCall(TruncationUpdateAddBlock_Private(X, NULL, add, sum, NULL));
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode TruncationUpdateAdd(Mat sum, Mat X)
+{
+  PetscBool fits;
+
+  PetscFunctionBeginUser;
+  PetscCall(TruncationUpdateFits_Private(X, sum, &fits));
+  if (fits)
+    PetscCall(TruncationUpdateAddMatrix_Private(X, PETSC_TRUE, sum));
+  else
+    PetscCall(MatAXPY(sum, 1, X, DIFFERENT_NONZERO_PATTERN));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -304,11 +319,11 @@ PetscErrorCode TruncationUpdateSum(Mat X, Mat change, Mat *sum)
   if (*sum) fits = PETSC_TRUE;
   if (*sum && change) PetscCall(TruncationUpdateFits_Private(change, *sum, &fits));
   if (fits) {
-    PetscCall(TruncationUpdateCopy_Private(X, *sum));
+    PetscCall(TruncationUpdateAddMatrix_Private(X, PETSC_FALSE, *sum));
   } else {
     PetscCall(MatDestroy(sum));
     PetscCall(MatDuplicate(X, MAT_COPY_VALUES, sum));
   }
-  if (change) PetscCall(MatAXPY(*sum, 1, change, fits ? SUBSET_NONZERO_PATTERN : DIFFERENT_NONZERO_PATTERN));
+  if (change) PetscCall(TruncationUpdateAdd(*sum, change));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -12,6 +12,8 @@
 PetscErrorCode TruncationUpdateCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec W, Mat *update);
 /* P' update P. Collective. [out] product - owned by the caller */
 PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product);
+/* sum += X, whose nonzeros sum need not have. Collective. */
+PetscErrorCode TruncationUpdateAdd(Mat sum, Mat X);
 /* sum = X + change. Keeps the nonzeros of the last sum where they suffice: factors of it keep their ordering
    and structure. Collective.
    [in] change - or NULL; [in,out] sum - the last one or NULL, replaced; owned by the caller */

@@ -175,7 +175,7 @@ static PetscErrorCode NestedIterationPredict_Private(MeshLevels levels, PetscInt
   if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecZeroEntries(active));
   if (proximal->solvability) PetscCall(VecCopy(proximal->solvability->start, active));
-  PetscCall(ActivePredictionStart(hierarchy, level, pc, y, active));
+  PetscCall(ActivePredictionStart(hierarchy, level, pc, (PetscBool)(proximal->solvability != NULL), y, active));
   if (levels->vi[m]->friction) {
     PetscCall(NestedIterationStick_Private(levels->vi[m]->friction, active));
     if (proximal->solvability) PetscCall(VecZeroEntries(y)); // without friction bodies may have slid far

@@ -1,5 +1,6 @@
 """Meshes whose active set differs from that of the next coarser one at some ten nodes, also after one system. The prediction before the
-first system must find the set, up to what one system corrects. So it must on a first level that is too large to be factored."""
+first system must find the set, up to what one system corrects. So it must on a first level that is too large to be factored, and exactly on
+some mesh with one level."""
 import re
 
 from judge import require
@@ -7,6 +8,7 @@ from judge import require
 SETS = 2
 MESHES = [("3,3,3", "2,2,2", 3), ("11,11,11", "9,9,9", 1)]
 LARGE = ("13,13,13", "11,11,11", 1)  # 13,416 unknowns of the first level; from no contact it takes five sets
+ONE = ["-upper_dm_plex_box_faces", "17,17,17", "-lower_dm_plex_box_faces", "13,13,13", "-upper_dm_plex_simplex", "1", "-lower_dm_plex_simplex", "1"]
 
 
 def boxes(upper, lower, levels):
@@ -21,3 +23,5 @@ def judge(run):
     sets = [int(number) for number in re.findall(r"^ *(\d+) SNES Function norm", large.stdout, re.MULTILINE)]
     require(sets and max(sets) <= SETS, f"sets of the first level: {sets}")
     require(large.summary["solver"]["iterations"] <= SETS, f"{large.summary['solver']['iterations']} sets")
+    one = run.again(*ONE, "-pc_type", "truncatedmg", name="one").summary["solver"]
+    require(one["iterations"] == 1, f"{one['iterations']} sets on a mesh with one level")
