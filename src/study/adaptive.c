@@ -49,6 +49,8 @@ struct _n_Adaptive {
   PetscReal    kept;       /* time at which files were written last */
   PetscReal   *indicators; /* of goals on the latest mesh, GoalsSolve() */
   PetscBool    dual;       /* whether their dual problems are solved */
+  PetscInt    *marked;     /* cells of the latest mesh that the next one refines */
+  PetscReal    growth;     /* expected with them, of the number of cells */
 };
 
 static const SolvedMesh *AdaptiveGetLast_Private(const struct _n_Adaptive *adaptive)
@@ -104,12 +106,10 @@ static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
   return mesh->unknowns * PetscPowReal(ratio, 1 / adaptive->rate);
 }
 
-/* Unknowns of the next mesh, if they grow as they did last. */
+/* Expected unknowns of the next mesh. */
 static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
 {
-  const SolvedMesh *mesh = AdaptiveGetLast_Private(adaptive);
-
-  return adaptive->history->num > 1 ? PetscSqr((PetscReal)mesh->unknowns) / mesh[-1].unknowns : mesh->unknowns;
+  return adaptive->growth * AdaptiveGetLast_Private(adaptive)->unknowns;
 }
 
 /* Prints a line for each body whose cells were cut. In the plane it says where that costs most.
@@ -337,28 +337,38 @@ static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Marks the cells that the next mesh refines. Collective. */
+static PetscErrorCode AdaptiveMark_Private(Adaptive adaptive, Run run)
+{
+  const Scene scene = adaptive->scene;
+  Estimate    estimate;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(adaptive->marked));
+  if (scene->adapt.num_goals) {
+    const PetscBool energy = (PetscBool)!AdaptiveEnergyIsMet_Private(adaptive);
+
+    PetscCall(GoalsMark(run, energy, AdaptiveGetLast_Private(adaptive)->goals, adaptive->indicators, &adaptive->marked,
+                        &adaptive->growth));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(EstimateGet(run->fields, &estimate));
+  PetscCall(
+      MarkingCreate(MeshFinest(adaptive->mesh), estimate, scene->adapt.marking, &adaptive->marked, &adaptive->growth));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Makes the next mesh, and interpolates the displacement to it. Collective.
    [out] guess - owned by the caller */
 static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive, Mesh mesh, Run run, Vec *guess)
 {
   const PetscInt level = mesh->num_levels - 1;
-  PetscInt      *marked;
-  Estimate       estimate;
 
   PetscFunctionBeginUser;
-  if (adaptive->scene->adapt.num_goals) {
-    const PetscBool energy = (PetscBool)!AdaptiveEnergyIsMet_Private(adaptive);
-
-    PetscCall(GoalsMark(run, energy, AdaptiveGetLast_Private(adaptive)->goals, adaptive->indicators, &marked));
-  } else {
-    PetscCall(EstimateGet(run->fields, &estimate));
-    PetscCall(MarkingCreate(&mesh->levels[level], estimate, adaptive->scene->adapt.marking, &marked));
-  }
   PetscCall(LogStageBegin(STAGE_SETUP));
-  PetscCall(MeshAdapt(mesh, marked));
+  PetscCall(MeshAdapt(mesh, adaptive->marked));
   PetscCall(PromotionApply(mesh, level, level + 1, run->fields->u, guess));
   PetscCall(LogStageEnd(STAGE_SETUP));
-  PetscCall(PetscFree(marked));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -469,6 +479,7 @@ PetscErrorCode AdaptiveDestroy(Adaptive *adaptive)
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < (*adaptive)->num_older; i++) PetscCall(RunDestroy(&(*adaptive)->older[i].run));
   PetscCall(PetscFree((*adaptive)->indicators));
+  PetscCall(PetscFree((*adaptive)->marked));
   PetscCall(MeshHistoryDestroy(&(*adaptive)->own));
   PetscCall(EnvelopeDestroy(&(*adaptive)->envelope));
   PetscCall(PetscFree(*adaptive));
@@ -494,6 +505,7 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
     PetscCall(AdaptiveAdd_Private(adaptive, *run, begin));
     PetscCall(AdaptivePrint_Private(adaptive));
     begin = LogWallClock();
+    PetscCall(AdaptiveMark_Private(adaptive, *run));
     if (AdaptiveIsOver_Private(adaptive, why)) {
       PetscCall(MeshHistoryDescribe(adaptive->history, *run));
       PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
@@ -525,7 +537,6 @@ PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess)
   const Mesh     mesh     = adaptive->mesh;
   const PetscInt level    = mesh->num_levels - 1;
   Envelope      *envelope = &adaptive->envelope;
-  PetscInt      *marked;
   char           why[TEXT_LENGTH];
 
   PetscFunctionBeginUser;
@@ -533,6 +544,9 @@ PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess)
   adaptive->history = &envelope->step[envelope->worst];
   PetscCall(AdaptiveMeasureMemory_Private(adaptive));
   PetscCall(AdaptivePrint_Private(adaptive));
+  PetscCall(PetscFree(adaptive->marked));
+  PetscCall(EnvelopeMark(envelope, &mesh->levels[level], adaptive->scene->adapt.marking, &adaptive->marked,
+                         &adaptive->growth));
   if (AdaptiveIsOver_Private(adaptive, why)) {
     PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -540,13 +554,11 @@ PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess)
   PetscCall(RunDestroy(run));
   PetscCall(LogReset(LogWallClock()));
   PetscCall(LogStageBegin(STAGE_SETUP));
-  PetscCall(EnvelopeMark(envelope, &mesh->levels[level], adaptive->scene->adapt.marking, &marked));
-  PetscCall(MeshAdapt(mesh, marked));
+  PetscCall(MeshAdapt(mesh, adaptive->marked));
   PetscCall(PetscMalloc1(envelope->num, guess));
   for (PetscInt i = 0; i < envelope->num; i++)
     PetscCall(PromotionApply(mesh, level, level + 1, envelope->u[i], &(*guess)[i]));
   PetscCall(LogStageEnd(STAGE_SETUP));
-  PetscCall(PetscFree(marked));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -24,7 +24,8 @@ PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i);
 /* Seconds of all steps on the latest mesh. Not collective. */
 PetscReal EnvelopeGetSeconds(const Envelope *envelope);
 /* Marks cells where the error of any step is large. Collective.
-   [in] level - the latest mesh; [in] share, [out] marked - as of MarkingCreate() */
-PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked);
+   [in] level - the latest mesh; [in] share, [out] marked, growth - as of MarkingCreate() */
+PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked,
+                            PetscReal *growth);
 
 #endif

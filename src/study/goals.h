@@ -28,8 +28,8 @@ PetscBool GoalIsMet(Scene scene, const GoalState *state);
 /* Marks cells for the goals that are not met, and for the energy norm. If only the bar of eq. 15.5 of a goal
    is too large, cells at its position are marked as well: the floor of that bar is local. Collective.
    [in] energy - whether cells are marked for the energy norm;
-   [in] indicators - of GoalsSolve(); [out] marked - as of MarkingCreate() [num_cells], owned by the caller */
+   [in] indicators - of GoalsSolve(); [out] marked, growth - as of MarkingCreate() */
 PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
-                         PetscInt **marked);
+                         PetscInt **marked, PetscReal *growth);
 
 #endif

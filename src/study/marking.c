@@ -6,15 +6,19 @@
 enum {
   BINS_OF_OCTAVE = 64,                  /* a bin is 1.1 per cent wide */
   NUM_BINS       = 64 * BINS_OF_OCTAVE, /* cells with less than 2^-64 of the largest value are not marked */
-  MAX_HALVINGS   = 2,                   /* of an edge at once: a solution tells little of much smaller cells */
+  MAX_HALVINGS   = 4,                   /* of an edge at once: a solution tells little of much smaller cells */
   OCTAVES_LEFT   = 2                    /* expected decrease of the sum over a halved cell, in powers of 2 */
 };
 
 static const PetscReal EQUAL_PARTS = 1e-6; /* relative roundoff of a sum that is compared with the share */
-static const PetscReal LEAST_GROWTH =
-    1.12; /* of the number of cells, without conforming closure: below, more are marked */
-static const PetscReal LARGE_ERROR =
-    0.01; /* eta^2 of |u|_a^2: above, the places of the largest errors may still change */
+static const PetscReal CLOSURE =
+    1.8; /* simplices made where one is asked for, since others are bisected until no node hangs; counted in the plane */
+static const PetscReal GROWTH_OF_SHARE =
+    1.3; /* cells to be added to each one, in shares of 1; with fewer, more are marked */
+static const PetscReal LEAST_GROWTH = 1.12; /* with larger errors: of the cells, without CLOSURE */
+/* Of eta^2 in |u|_a^2. Above, the places of the largest errors may still change. */
+static const PetscReal LARGE_ERROR  = 0.01;  /* no cell is marked again */
+static const PetscReal MEDIUM_ERROR = 0.001; /* cells are marked again for LEAST_GROWTH alone */
 
 /* The bin of a value; bin 0 has the largest value. */
 static PetscInt MarkingGetBin_Private(PetscReal largest, PetscReal value)
@@ -30,51 +34,95 @@ typedef struct {
   PetscReal squared, cells;
 } Bin;
 
-/* Moves the cells of the largest bins, whose sum is a share of all, to the bins expected of their halves.
-   Returns the last bin moved.
-   [in] step - distance of the bins of a cell and of its parts; [in,out] bins - [NUM_BINS + 1] */
-static PetscInt MarkingHalve_Private(PetscInt dim, PetscInt step, PetscReal share, Bin bins[])
+/* The cells of all processes, and those expected of the halved ones. */
+typedef struct {
+  PetscInt  dim;
+  PetscInt  step;    /* distance of the bins of a cell and of its parts */
+  PetscReal squared; /* sum over all bins */
+  PetscReal cells;
+  Bin       bins[NUM_BINS + 1];
+} Histogram;
+
+/* Collective. [in] largest - value of a cell on any process */
+static PetscErrorCode MarkingCount_Private(const Level *level, Estimate estimate, PetscReal largest, Histogram *all)
 {
-  PetscReal sum = 0, marked = 0;
-  PetscInt  last = 0;
-
-  for (PetscInt b = 0; b <= NUM_BINS; b++) sum += bins[b].squared;
-  while (last < NUM_BINS && (marked += bins[last].squared) < (share - EQUAL_PARTS) * sum) last++;
-  for (PetscInt b = last; b >= 0; b--) {
-    Bin *parts = &bins[PetscMin(NUM_BINS, b + step)];
-
-    parts->squared += bins[b].squared / (1 << OCTAVES_LEFT);
-    parts->cells += bins[b].cells * (1 << dim);
-    bins[b] = (Bin){0};
-  }
-  return last;
-}
-
-PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscInt **marked)
-{
-  const PetscInt step    = (level->dim + OCTAVES_LEFT) * BINS_OF_OCTAVE;
-  PetscReal      largest = 0, before = 0, cells = 0;
-  PetscInt       last[MAX_HALVINGS], num = 0;
-  Bin           *bins;
-
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(level->num_cells, marked));
-  PetscCall(PetscCalloc1(NUM_BINS + 1, &bins));
-  for (PetscInt c = 0; c < level->num_cells; c++) largest = PetscMax(largest, estimate->cell[c]);
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  PetscCall(PetscArrayzero(all, 1));
+  all->dim  = level->dim;
+  all->step = (level->dim + OCTAVES_LEFT) * BINS_OF_OCTAVE;
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    Bin *bin = &bins[MarkingGetBin_Private(largest, estimate->cell[c])];
+    Bin *bin = &all->bins[MarkingGetBin_Private(largest, estimate->cell[c])];
 
     bin->squared += estimate->cell[c];
     bin->cells++;
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bins, 2 * (NUM_BINS + 1), MPIU_REAL, MPI_SUM, level->comm));
-  for (PetscInt b = 0; b <= NUM_BINS; b++) before += bins[b].cells;
-  while (num < (estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS) && cells < LEAST_GROWTH * before) {
-    last[num++] = MarkingHalve_Private(level->dim, step, share, bins);
-    cells       = 0;
-    for (PetscInt b = 0; b <= NUM_BINS; b++) cells += bins[b].cells;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, all->bins, 2 * (NUM_BINS + 1), MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt b = 0; b <= NUM_BINS; b++) {
+    all->squared += all->bins[b].squared;
+    all->cells += all->bins[b].cells;
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Moves the cells of the largest bins to the bins expected of their halves. It ends where the sum of those
+   moved is a share of all, or where there are enough cells. Returns the last bin moved. */
+static PetscInt MarkingHalve_Private(Histogram *all, PetscReal share, PetscReal enough)
+{
+  const PetscReal wanted = (share - EQUAL_PARTS) * all->squared;
+  const PetscReal parts = (PetscReal)(1 << all->dim), left = 1. / (1 << OCTAVES_LEFT);
+  PetscReal       marked = 0;
+  PetscInt        last   = -1;
+
+  do {
+    last++;
+    marked += all->bins[last].squared;
+    all->squared -= (1 - left) * all->bins[last].squared;
+    all->cells += (parts - 1) * all->bins[last].cells;
+  } while (last < NUM_BINS && marked < wanted && all->cells < enough);
+  for (PetscInt b = last; b >= 0; b--) {
+    const Bin halved = all->bins[b];
+    Bin      *part   = &all->bins[PetscMin(NUM_BINS, b + all->step)];
+
+    all->bins[b] = (Bin){0};
+    part->squared += left * halved.squared;
+    part->cells += parts * halved.cells;
+  }
+  return last;
+}
+
+/* Cells that are made, on the average, where one is asked for. Collective. */
+static PetscErrorCode MarkingGetClosure_Private(const Level *level, PetscReal *closure)
+{
+  PetscReal count[2] = {0, (PetscReal)level->num_cells}; // simplices, all
+
+  PetscFunctionBeginUser;
+  for (PetscInt c = 0; c < level->num_cells; c++)
+    count[0] += ElementNumFacets((ElementType)level->cell_type[c]) == level->dim + 1;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_REAL, MPI_SUM, level->comm));
+  *closure = 1 + (CLOSURE - 1) * count[0] / count[1];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscInt **marked,
+                             PetscReal *growth)
+{
+  const PetscInt most    = estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS;
+  PetscReal      largest = 0, closure    = 0, before, enough;
+  PetscInt       last[MAX_HALVINGS], num = 0;
+  Histogram     *all;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(level->num_cells, marked));
+  PetscCall(PetscMalloc1(1, &all));
+  for (PetscInt c = 0; c < level->num_cells; c++) largest = PetscMax(largest, estimate->cell[c]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  PetscCall(MarkingCount_Private(level, estimate, largest, all));
+  PetscCall(MarkingGetClosure_Private(level, &closure));
+  before      = all->cells;
+  enough      = before * (1 + GROWTH_OF_SHARE * share / closure);
+  last[num++] = MarkingHalve_Private(all, share, PETSC_INFINITY);
+  if (estimate->squared > MEDIUM_ERROR * estimate->norm && all->cells >= LEAST_GROWTH * before) enough = 0;
+  while (num < most && all->cells < enough) last[num++] = MarkingHalve_Private(all, share, enough);
   for (PetscInt c = 0; c < level->num_cells; c++) {
     PetscInt bin = MarkingGetBin_Private(largest, estimate->cell[c]);
 
@@ -82,9 +130,10 @@ PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal sh
     for (PetscInt i = 0; i < num; i++) {
       if (bin > last[i]) continue;
       (*marked)[c]++;
-      bin += step;
+      bin += all->step;
     }
   }
-  PetscCall(PetscFree(bins));
+  if (growth) *growth = 1 + closure * (all->cells / before - 1);
+  PetscCall(PetscFree(all));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -4,14 +4,16 @@
 
 #include "result/estimate.h"
 
-/* Marks the cells of largest eta_T^2 whose sum is a share of that of all cells (Dorfler 1996). On a fine mesh
-   with large errors at few places these may add less than an eighth of the cells. If eta is also below a
-   tenth of the solution, cells are marked a second time. For this the marked ones count as halved, with a
-   quarter of their eta_T^2: a cell may get two marks. Cells whose values differ by less than one per cent are
-   marked together. So symmetric scenes stay symmetric, and marks do not depend on the number of ranks.
-   Collective.
+/* Marks the cells of largest eta_T^2 whose sum is a share of that of all cells (Dorfler 1996). These may make
+   the mesh grow little: kept quadrilaterals of order 2, or a fine mesh with large errors at few places. Where
+   eta is small, more are marked then, the largest first. For this the marked ones count as halved, with a
+   quarter of their eta_T^2: a cell may get up to four marks. Cells whose values differ by less than one per
+   cent are marked together. So symmetric scenes stay symmetric, and marks do not depend on the number of
+   ranks. Collective.
    [in] estimate - of the level;
-   [out] marked - how often edges are to be halved [num_cells], owned by the caller */
-PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscInt **marked);
+   [out] marked - how often edges are to be halved [num_cells], owned by the caller;
+   [out] growth - expected, of the number of cells; NULL if not wanted */
+PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscInt **marked,
+                             PetscReal *growth);
 
 #endif

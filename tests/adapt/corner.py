@@ -1,5 +1,5 @@
 """A largest pressure at a corner is infinite. Three meshes tell it below a rigid flat punch, by the power of the size of its facets. Below an elastic
-one with a right angle, seven do: the last mesh halves its facets once, the two before twice."""
+one with a right angle, seven do."""
 from judge import require, same
 
 MESHES = {"punch": 3, "joint": 7}

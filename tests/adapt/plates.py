@@ -23,6 +23,8 @@ def judge(run):
     for mesh in meshes:
         if mesh["unknowns"] > 1000:
             require(0.8 <= mesh["estimate"] / math.sqrt(2 * (mesh["potential"] - POTENTIAL)) <= 1.35, f"the estimate of {mesh} is off")
+    total = sum(mesh["unknowns"] for mesh in meshes)
+    require(total <= 3 * meshes[-1]["unknowns"], f"order {order}: all meshes have {total} unknowns, the last {meshes[-1]['unknowns']}")
     bars = summary["bars"]
     near("potential", summary["energy"]["potential"], POTENTIAL, absolute=bars["energy"]["potential"])
     near("force", summary["pairs"]["joint"]["normal_force"], FORCE, absolute=bars["pairs"]["joint"]["normal_force"])

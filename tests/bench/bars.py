@@ -199,12 +199,13 @@ def main():
     found, unclear = {}, []
     with tempfile.TemporaryDirectory() as folder:
         for scene in options.scene or SCENES:
-            judge(options.program.resolve(), scene, options.keep or pathlib.Path(folder), found, unclear)
+            judge(options.program.resolve(), scene, (options.keep or pathlib.Path(folder)).resolve(), found, unclear)
     print("| kind | bars | hold | median bar / error |\n|---|---:|---:|---:|")
     for name, bars in found.items():
         print(f"| {name} | {len(bars)} | {100 * sum(ok for ok, _ in bars) / len(bars):.1f} % | {statistics.median(ratio for _, ratio in bars):.2g} |")
     every = [bar for bars in found.values() for bar in bars]
-    print(f"| all | {len(every)} | {100 * sum(ok for ok, _ in every) / max(1, len(every)):.1f} % | {statistics.median(r for _, r in every):.2g} |")
+    if every:
+        print(f"| all | {len(every)} | {100 * sum(ok for ok, _ in every) / len(every):.1f} % | {statistics.median(r for _, r in every):.2g} |")
     print(f"not judged, since the truth is not known well enough: {len(unclear)}")
 
 
