@@ -44,22 +44,30 @@ static void FrameAddPolygon_Private(PetscInt num, const PetscInt corners[], cons
   }
 }
 
+void FrameGetParts(PetscInt num_nodes, PetscInt *num, PetscInt *num_corners, const PetscInt **corners)
+{
+  static const PetscInt whole[4]  = {0, 1, 2, 3};
+  static const PetscInt tri6[12]  = {0, 3, 5, 3, 1, 4, 5, 4, 2, 3, 4, 5};
+  static const PetscInt quad9[16] = {0, 4, 8, 7, 4, 1, 5, 8, 8, 5, 2, 6, 7, 8, 6, 3};
+
+  *num         = num_nodes > 4 ? 4 : 1;
+  *num_corners = num_nodes > 4 ? (num_nodes == 6 ? 3 : 4) : num_nodes;
+  *corners     = num_nodes > 4 ? (num_nodes == 6 ? tri6 : quad9) : whole;
+}
+
 void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[])
 {
-  static const PetscInt whole[4]    = {0, 1, 2, 3};
-  static const PetscInt tri6[4][3]  = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-  static const PetscInt quad9[4][4] = {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
+  const PetscInt *corners;
+  PetscInt        num, num_corners;
 
   if (dim == 2 && num_nodes == 2) FrameAddChord_Private(0, 1, X, N);
   if (dim == 2 && num_nodes == 3) {
     FrameAddChord_Private(0, 2, X, N);
     FrameAddChord_Private(2, 1, X, N);
   }
-  if (dim == 3 && num_nodes <= 4) FrameAddPolygon_Private(num_nodes, whole, X, N);
-  for (PetscInt part = 0; part < 4 && num_nodes > 4; part++) {
-    if (num_nodes == 6) FrameAddPolygon_Private(3, tri6[part], X, N);
-    if (num_nodes == 9) FrameAddPolygon_Private(4, quad9[part], X, N);
-  }
+  if (dim == 2) return;
+  FrameGetParts(num_nodes, &num, &num_corners, &corners);
+  for (PetscInt part = 0; part < num; part++) FrameAddPolygon_Private(num_corners, &corners[part * num_corners], X, N);
 }
 
 PetscReal FrameNormalize(PetscInt dim, PetscReal n[])

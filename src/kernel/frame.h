@@ -11,6 +11,10 @@
    [in] X - [num_nodes][dim]; [in,out] N - [num_nodes][dim], not normalized */
 void FrameAddFacetNormal(PetscInt dim, PetscInt num_nodes, const PetscReal X[], PetscReal N[]);
 
+/* The parts with straight edges of a facet in space, tri3, quad4, tri6 or quad9: those between its nodes.
+   [out] num, num_corners - of parts, and of each; [out] corners - nodes, anticlockwise [num][num_corners] */
+void FrameGetParts(PetscInt num_nodes, PetscInt *num, PetscInt *num_corners, const PetscInt **corners);
+
 /* n / |n|; returns |n| before. Zero stays zero. [in,out] n - [dim] */
 PetscReal FrameNormalize(PetscInt dim, PetscReal n[]);
 

@@ -6,6 +6,8 @@
 #include "kernel/frame.h"
 #include "mesh/arcnormals.h"
 #include "mesh/sidehanging.h"
+#include "mesh/sidequadrics.h"
+#include "mesh/sidesums.h"
 #include "kernel/vector.h"
 
 /* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
@@ -38,14 +40,6 @@ typedef struct {
   PetscReal unit[3], weighted[3], share, outward[3]; /* from the node to the middle of the facet */
 } Corner;
 
-/* The position of a corner; of one that hangs, on the curve that the side has. */
-static PetscReal SideShapePosition_Private(const Side *side, PetscInt f, PetscInt i, PetscInt k)
-{
-  const PetscInt at = side->facets->nodes[f * F + i] * side->level->dim + k;
-
-  return side->level->coords[at] + (side->level->hanging.rise ? side->level->hanging.rise[at] : 0);
-}
-
 /* The share of a full turn around node i that a facet fills. [in] X - [num_nodes][dim] */
 static PetscReal SideShapeAngleShare_Private(PetscInt dim, ElementType type, PetscInt i, const PetscReal X[])
 {
@@ -72,49 +66,13 @@ static void SideShapeSetCorners_Private(Side *side)
     PetscReal         X[3 * F];
 
     for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
-      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = SideShapePosition_Private(side, f, i, k);
+      for (PetscInt k = 0; k < dim; k++) X[i * dim + k] = SideGetPosition(side->level, side->facets, f, i, k);
     }
     FrameAddFacetNormal(dim, ElementNumNodes(type), X, &side->weighted[f * F * dim]);
     if (side->level->conforming) SideHangingSetCorners(side->level, side->facets, f, X, &side->weighted[f * F * dim]);
     for (PetscInt i = 0; i < ElementNumNodes(type); i++)
       side->share[f * F + i] = SideShapeAngleShare_Private(dim, type, i, X);
   }
-}
-
-/* Sums values of corners at their nodes over all ranks, and gives each corner the sum. Collective.
-   [in] skip - corners that have no part in it, or NULL; [in,out] values - [num][F][bs] */
-static PetscErrorCode SideShapeSumAtNodes_Private(const Side *side, PetscInt bs, const PetscReal skip[],
-                                                  PetscReal values[])
-{
-  Vec          sums, local;
-  PetscScalar *a;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(side->level, bs, &sums));
-  for (PetscInt way = 0; way < 2; way++) {
-    PetscCall(VecGhostGetLocalForm(sums, &local));
-    if (way == 0) PetscCall(VecZeroEntries(local));
-    PetscCall(VecGetArray(local, &a));
-    for (PetscInt f = 0; f < side->facets->num; f++) {
-      for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
-        PetscScalar *at   = &a[side->facets->nodes[f * F + i] * bs];
-        PetscReal   *mine = &values[(f * F + i) * bs];
-
-        if (skip && skip[f * F + i] != 0) continue;
-        for (PetscInt k = 0; k < bs; k++) {
-          if (way == 0)
-            at[k] += mine[k];
-          else
-            mine[k] = PetscRealPart(at[k]);
-        }
-      }
-    }
-    PetscCall(VecRestoreArray(local, &a));
-    PetscCall(VecGhostRestoreLocalForm(sums, &local));
-    if (way == 0) PetscCall(LevelShareVec(sums, ADD_VALUES));
-  }
-  PetscCall(VecDestroy(&sums));
-  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether facets around the nodes of corners may meet at a feature edge. Collective.
@@ -133,7 +91,7 @@ static PetscErrorCode SideShapeFindSuspects_Private(const Side *side, PetscReal 
       suspect[f * F + i] = VectorDot(dim, unit, &side->shape->normal[(f * F + i) * dim]) < SURELY_SMOOTH ? 1 : 0;
     }
   }
-  PetscCall(SideShapeSumAtNodes_Private(side, 1, NULL, suspect));
+  PetscCall(SideSumAtNodes(side->level, side->facets, 1, NULL, suspect));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -147,7 +105,8 @@ static Corner SideShapeCornerOf_Private(const Side *side, PetscInt f, PetscInt i
     corner.unit[k] = corner.weighted[k] = side->weighted[(f * F + i) * dim + k];
     for (PetscInt v = 0; v < n; v++)
       corner.outward[k] +=
-          (SideShapePosition_Private(side, f, v, k) - SideShapePosition_Private(side, f, i, k)) / (PetscReal)n;
+          (SideGetPosition(side->level, side->facets, f, v, k) - SideGetPosition(side->level, side->facets, f, i, k)) /
+          (PetscReal)n;
   }
   FrameNormalize(dim, corner.unit);
   FrameNormalize(dim, corner.outward);
@@ -252,7 +211,7 @@ static void SideShapeAddNeighbour_Private(const Side *side, PetscInt f, PetscInt
   PetscReal        dx[3], dn[3], along, across, square, most = 0;
 
   for (PetscInt k = 0; k < dim; k++) {
-    dx[k] = SideShapePosition_Private(side, f, j, k) - SideShapePosition_Private(side, f, i, k);
+    dx[k] = SideGetPosition(side->level, side->facets, f, j, k) - SideGetPosition(side->level, side->facets, f, i, k);
     dn[k] = m[k] - n[k];
   }
   along  = VectorDot(dim, dx, n);
@@ -343,7 +302,7 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
       }
     }
   }
-  PetscCall(SideShapeSumAtNodes_Private(side, 2 * dim * dim, side->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(side->level, side->facets, 2 * dim * dim, side->shape->ridge, sums));
   for (PetscInt f = 0; f < side->facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       const PetscInt  c    = f * F + i;
@@ -368,7 +327,7 @@ static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, Petsc
   PetscReal        dx[3] = {0}, t[3] = {0}, square, along;
 
   for (PetscInt k = 0; k < dim; k++)
-    dx[k] = SideShapePosition_Private(side, f, i, k) - SideShapePosition_Private(side, f, j, k);
+    dx[k] = SideGetPosition(side->level, side->facets, f, i, k) - SideGetPosition(side->level, side->facets, f, j, k);
   for (PetscInt k = 0; k < dim * dim; k++) t[k / dim] += S[k] * dx[k % dim];
   square = VectorDot(dim, t, t);
   along  = VectorDot(dim, m, dx) / VectorDot(dim, dx, dx);
@@ -401,8 +360,10 @@ static PetscBool SideShapeOnDiagonal_Private(const Side *side, PetscInt f, Petsc
   m = (k + 1) % 3;
   n = (k + 2) % 3;
   for (PetscInt d = 0; d < 3; d++) {
-    const PetscReal x = SideShapePosition_Private(side, f, m, d) - SideShapePosition_Private(side, f, k, d);
-    const PetscReal y = SideShapePosition_Private(side, f, n, d) - SideShapePosition_Private(side, f, k, d);
+    const PetscReal x =
+        SideGetPosition(side->level, side->facets, f, m, d) - SideGetPosition(side->level, side->facets, f, k, d);
+    const PetscReal y =
+        SideGetPosition(side->level, side->facets, f, n, d) - SideGetPosition(side->level, side->facets, f, k, d);
 
     square[k] += PetscSqr(x - y);
     square[m] += PetscSqr(y);
@@ -453,7 +414,7 @@ static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, Pets
       }
     }
   }
-  PetscCall(SideShapeSumAtNodes_Private(side, END_SUMS, side->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(side->level, side->facets, END_SUMS, side->shape->ridge, sums));
   for (PetscInt c = 0; c < side->facets->num * F; c++) {
     PetscReal *n = &sums[c * END_SUMS + (sums[c * END_SUMS + END_COUNT] > 0 ? END_NORMAL : END_DIAGONAL)];
 
@@ -489,12 +450,45 @@ static PetscErrorCode SideShapeTurns_Private(const Side *side, PetscBool *turns)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether facets of a side in space are those of a file: their nodes may lie on the surfaces of a part. A map
+   has nodes in order, for which means over facets are exact on cylinders. Collective. */
+static PetscErrorCode SideShapeIsOfFile_Private(const Side *side, PetscBool *file)
+{
+  const Scene scene = side->level->scene;
+
+  PetscFunctionBeginUser;
+  *file = PETSC_FALSE;
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    const SceneBody *body = &scene->bodies[side->level->cell_body[side->facets->cell[f]]];
+
+    *file = (PetscBool)(*file || (body->mesh_file && !body->map));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, file, 1, MPIU_BOOL, MPI_LOR, side->level->comm));
+  *file = (PetscBool)(*file && side->level->dim == 3);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes normals that are known, which are not zero. Roundoff alone changes nothing: flat stays flat.
+   [in] exact - [num][F][dim], or NULL */
+static void SideShapeTake_Private(Side *side, const PetscReal exact[])
+{
+  const PetscInt dim = side->level->dim;
+
+  for (PetscInt c = 0; c < side->facets->num * F && exact; c++) {
+    PetscReal *normal = &side->shape->normal[c * dim], most = 0;
+
+    for (PetscInt k = 0; k < dim; k++) most = PetscMax(most, PetscAbsReal(exact[c * dim + k] - normal[k]));
+    if (most <= FLAT_SIDE || VectorNorm(dim, &exact[c * dim]) == 0) continue;
+    for (PetscInt k = 0; k < dim; k++) normal[k] = exact[c * dim + k];
+  }
+}
+
 PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape)
 {
   const PetscInt dim = level->dim, num = facets->num * F;
   Side           side = {.level = level, .facets = facets, .shape = shape};
-  PetscReal     *known;
-  PetscBool      turns;
+  PetscReal     *known, *exact = NULL;
+  PetscBool      turns, file;
 
   PetscFunctionBeginUser;
   shape->num = facets->num;
@@ -502,15 +496,21 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
   PetscCall(PetscCalloc3(num * dim, &side.weighted, num, &side.share, num, &known));
   SideShapeSetCorners_Private(&side);
   PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
-  PetscCall(SideShapeSumAtNodes_Private(&side, dim, NULL, shape->normal));
+  PetscCall(SideSumAtNodes(level, facets, dim, NULL, shape->normal));
   for (PetscInt c = 0; c < num; c++) FrameNormalize(dim, &shape->normal[c * dim]);
   PetscCall(SideShapeSplitPatches_Private(&side));
   PetscCall(SideShapeTurns_Private(&side, &turns));
   if (turns) {
-    PetscCall(SideShapeSumAtNodes_Private(&side, 1, shape->ridge, side.share));
+    PetscCall(SideSumAtNodes(level, facets, 1, shape->ridge, side.share));
+    PetscCall(SideShapeIsOfFile_Private(&side, &file));
+    if (file) PetscCall(PetscCalloc1(num * dim, &exact));
+    if (file) PetscCall(SideQuadricsGetNormals(level, facets, shape, side.share, exact));
+    SideShapeTake_Private(&side, exact);
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
     PetscCall(SideShapeSetEnds_Private(&side, END_TURN, INNER_TURN, known));
     PetscCall(SideShapeSetEnds_Private(&side, 0, END_TURN, known));
+    SideShapeTake_Private(&side, exact);
+    PetscCall(PetscFree(exact));
     PetscCall(ArcNormalsTake(level, facets, shape));
     PetscCall(SideHangingSetShape(level, facets, shape));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));

@@ -277,7 +277,7 @@ PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names
 {
   const SceneBody *own   = &scene->bodies[body];
   TreeArcs        *arcs  = &tree->arcs;
-  SceneBody        plain = {.name = own->name, .order = 1};
+  SceneBody        plain = {.name = own->name, .order = 1, .mesh_file = own->mesh_file};
   struct _n_Scene  alone = {.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &plain};
   char            *round, *flat;
   PetscBool        any;

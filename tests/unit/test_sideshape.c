@@ -1,6 +1,7 @@
 /* test_sideshape.c -- normals and curvatures of circles, cylinders and spheres cut into facets, up to their ends, and at edges. */
 #include "solid_scene.h"
 #include "base/compat.h"
+#include "kernel/frame.h"
 #include "mesh/sideshape.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
@@ -126,6 +127,59 @@ static void TestTriangles(void)
   }
 }
 
+enum { CYLINDER, CONE, FILLET, NUM_SHAPES };
+
+/* The normal of a shape at a point of its upper side, of radius 2. */
+static void ShapeNormal(PetscInt shape, const PetscReal x[3], PetscReal n[3])
+{
+  n[0] = shape == FILLET && x[0] < 0 ? 0 : x[0];
+  n[1] = shape == CONE ? 0.3 * (2 - 0.3 * x[1]) : 0;
+  n[2] = shape == FILLET && x[0] < 0 ? 2 : x[2];
+  (void)FrameNormalize(3, n);
+}
+
+/* Facets that are no rectangles in halves, of a file for all that the sides know: a cylinder, a cone, and a plane that
+   passes over into a cylinder. Means over facets are off by 0.007 to 0.026. */
+static void TestQuadrics(PetscInt kind, PetscInt order)
+{
+  const char *const maps[]   = {"z*sin(x+0.05*sin(9*x+5*y)), y+0.03*sin(7*x+8*y), z*cos(x+0.05*sin(9*x+5*y))",
+                                "(z-0.3*y)*sin(x+0.05*sin(9*x+5*y)), y, (z-0.3*y)*cos(x+0.05*sin(9*x+5*y))",
+                                "x < 0 ? z*x : z*sin(x), y+0.03*sin(7*x+8*y), x < 0 ? z : z*cos(x)"};
+  const PetscReal   lower[3] = {-0.6, -0.3, 1}, upper[3] = {0.6, 0.5, 2};
+  const PetscInt    faces[3] = {12, 6, 1};
+  TestScene         t;
+  Mesh              mesh;
+  Level            *level;
+  Facets            facets;
+  SideShape         shape;
+
+  SolidSceneInit(&t);
+  SolidSceneAddBox(&t, "part", faces, lower, upper)->simplex = PETSC_TRUE;
+  (void)TestSceneAddPair(&t, "outer", 0, "top", 0, "bottom");
+  t.bodies[0].order = order;
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", maps[kind], 3, PETSC_FALSE, &t.bodies[0].map));
+  mesh  = TestSceneMesh(&t);
+  level = MeshFinest(mesh);
+  CHECK(!ExpressionDestroy(&t.bodies[0].map));
+  t.bodies[0].mesh_file = (char *)"part.msh";
+  CHECK(!LevelGetFacets(level, &t.scene, 0, "top", &facets));
+  CHECK(!SideShapeCreate(level, &facets, &shape));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets.type[f]); ++i) {
+      PetscReal n[3];
+
+      ShapeNormal(kind, &level->coords[3 * facets.nodes[f * F + i]], n);
+      for (PetscInt k = 0; k < 3; ++k)
+        CHECK_NEAR(shape.normal[(f * F + i) * 3 + k], n[k], kind == FILLET ? 1e-4 : 1e-9);
+    }
+  }
+  t.bodies[0].mesh_file = NULL;
+  CHECK(!SideShapeDestroy(&shape));
+  CHECK(!FacetsDestroy(&facets));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 /* Two sides of a box as one: each facet has the normal of its own side, exactly flat. The edge between them
    is a convex ridge. */
 static void TestEdge(void)
@@ -175,6 +229,9 @@ int main(int argc, char **argv)
   TestCircle();
   TestSolids();
   TestTriangles();
+  for (PetscInt kind = 0; kind < NUM_SHAPES; ++kind) {
+    for (PetscInt order = 1; order <= 2; ++order) TestQuadrics(kind, order);
+  }
   TestEdge();
   PetscCall(PetscFinalize());
   return 0;

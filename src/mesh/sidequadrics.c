@@ -1,0 +1,381 @@
+/* sidequadrics.c -- quadrics through the nodes around a node (eq. 4.1a).
+
+   Surfaces of machine parts are planes, cylinders, cones and spheres, and nodes of files lie on them. Let
+   m(x) be the ten monomials up to degree 2. A quadric c.m(x) = 0 through points x_k has c.G c = 0, with the
+   sum G of m(x_k) m(x_k)'. A node sums G of the facets around it, then G of its neighbours: points up to two
+   facets away. Both sums are over facets, in any partition. Nodes with too few points take the quadrics of
+   neighbours that pass through them: where a side ends or passes over into another surface. */
+#include "mesh/sidequadrics.h"
+#include "base/compat.h"
+#include "kernel/dense.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
+#include "mesh/sidesums.h"
+
+enum {
+  F         = ELEMENT_MAX_FACET_NODES,
+  MONOMIALS = 10, /* 1, x, y, z, xx, xy, xz, yy, yz, zz */
+  LINEAR    = 1,  /* the first one of degree 1, of degree 2 */
+  SQUARE    = 4,
+  GRAM      = MONOMIALS * (MONOMIALS + 1) / 2,
+  FREE      = 8, /* a quadric through the origin with a gradient of one along the normal */
+  EVIDENCE  = 2, /* points more than any quadric passes through */
+  SPREADS   = 4  /* facets that a quadric is carried over to other nodes */
+};
+
+/* What a corner sums: G, and the number of facets at its node, then of points around. */
+enum { SUM_COUNT = GRAM, SUMS };
+
+/* The patch surrounds a node; its normals are close to those of means over facets. */
+static const PetscReal INNER_TURN = 0.8, SURELY_SMOOTH = 0.92387953251128674;
+/* Root of the mean square distance of points on a quadric, of theirs from the node. */
+static const PetscReal ON_QUADRIC = 1e-5, CONFIRMS = 1e-4;
+/* Eigenvalues of G below this share are zero: of several quadrics, the flattest one counts. */
+static const PetscReal NO_EIGENVALUE = 1e-12;
+
+static void Monomials_Private(const PetscReal x[3], PetscReal m[MONOMIALS])
+{
+  PetscInt n = SQUARE;
+
+  m[0] = 1;
+  for (PetscInt i = 0; i < 3; i++) {
+    m[LINEAR + i] = x[i];
+    for (PetscInt j = i; j < 3; j++) m[n++] = x[i] * x[j];
+  }
+}
+
+/* T with m(x + d) = T m(x). */
+static void MonomialsShift_Private(const PetscReal d[3], PetscReal T[MONOMIALS * MONOMIALS])
+{
+  PetscInt n = SQUARE;
+
+  Monomials_Private(d, T); // values at x = 0, to be the first column
+  for (PetscInt row = MONOMIALS - 1; row >= 0; row--) {
+    const PetscReal value = T[row];
+
+    for (PetscInt k = 0; k < MONOMIALS; k++) T[row * MONOMIALS + k] = k == row ? 1 : 0;
+    if (row) T[row * MONOMIALS] = value;
+  }
+  for (PetscInt i = 0; i < 3; i++) {
+    for (PetscInt j = i; j < 3; j++, n++) {
+      T[n * MONOMIALS + LINEAR + i] += d[j];
+      T[n * MONOMIALS + LINEAR + j] += d[i];
+    }
+  }
+}
+
+static PetscInt GramIndex_Private(PetscInt i, PetscInt j)
+{
+  const PetscInt row = PetscMin(i, j), column = PetscMax(i, j);
+
+  return row * MONOMIALS - row * (row + 1) / 2 + column;
+}
+
+/* G of a point is added. */
+static void GramAddPoint_Private(const PetscReal x[3], PetscReal G[GRAM])
+{
+  PetscReal m[MONOMIALS];
+
+  Monomials_Private(x, m);
+  for (PetscInt i = 0; i < MONOMIALS; i++) {
+    for (PetscInt j = i; j < MONOMIALS; j++) G[GramIndex_Private(i, j)] += m[i] * m[j];
+  }
+}
+
+/* B G B'. [in] B - [rows][MONOMIALS]; [out] H - [rows][rows] */
+static void GramTransform_Private(PetscInt rows, const PetscReal B[], const PetscReal G[GRAM], PetscReal H[])
+{
+  PetscReal BG[MONOMIALS];
+
+  for (PetscInt i = 0; i < rows; i++) {
+    for (PetscInt k = 0; k < MONOMIALS; k++) {
+      BG[k] = 0;
+      for (PetscInt l = 0; l < MONOMIALS; l++) {
+        if (B[i * MONOMIALS + l] != 0) BG[k] += B[i * MONOMIALS + l] * G[GramIndex_Private(k, l)];
+      }
+    }
+    for (PetscInt j = 0; j < rows; j++) {
+      H[i * rows + j] = 0;
+      for (PetscInt k = 0; k < MONOMIALS; k++) {
+        if (B[j * MONOMIALS + k] != 0) H[i * rows + j] += BG[k] * B[j * MONOMIALS + k];
+      }
+    }
+  }
+}
+
+/* G of points about one origin, added to that about another. [in] d - from the new origin to the old one */
+static void GramAddShifted_Private(const PetscReal d[3], const PetscReal G[GRAM], PetscReal sum[GRAM])
+{
+  PetscReal T[MONOMIALS * MONOMIALS], H[MONOMIALS * MONOMIALS];
+
+  MonomialsShift_Private(d, T);
+  GramTransform_Private(MONOMIALS, T, G, H);
+  for (PetscInt i = 0; i < MONOMIALS; i++) {
+    for (PetscInt j = i; j < MONOMIALS; j++) sum[GramIndex_Private(i, j)] += H[i * MONOMIALS + j];
+  }
+}
+
+/* The gradient of a quadric at a point is made one long. Returns whether the quadric passes through the point
+   and is close to a normal there. [in] scale - length that distances are compared with; [in,out] c - about
+   the point */
+static PetscBool QuadricPasses_Private(const PetscReal normal[3], PetscReal scale, PetscReal c[MONOMIALS])
+{
+  const PetscReal slope = VectorNorm(3, &c[LINEAR]);
+
+  if (!(slope > 0)) return PETSC_FALSE;
+  for (PetscInt k = 0; k < MONOMIALS; k++) c[k] /= slope;
+  return (PetscBool)(PetscAbsReal(c[0]) <= ON_QUADRIC * scale && VectorDot(3, &c[LINEAR], normal) >= SURELY_SMOOTH);
+}
+
+/* The mean square distance of the points of G from the origin. */
+static PetscReal GramSquare_Private(const PetscReal G[GRAM])
+{
+  return (G[GramIndex_Private(1, 1)] + G[GramIndex_Private(2, 2)] + G[GramIndex_Private(3, 3)]) / G[0];
+}
+
+/* The flattest quadric through the points of G and the origin: its squares are minimal.
+   Returns whether the points lie on it. [in] normal - close to its own; [out] c - coefficients */
+static PetscBool QuadricFit_Private(const PetscReal G[GRAM], const PetscReal normal[3], PetscReal c[MONOMIALS])
+{
+  const PetscReal size                      = PetscSqrtReal(GramSquare_Private(G));
+  PetscReal       B[(1 + FREE) * MONOMIALS] = {0}, Q[9], H[(1 + FREE) * (1 + FREE)], A[FREE * FREE], V[FREE * FREE];
+  PetscReal       value[FREE], most = 0, distance;
+
+  FrameFromNormal(3, normal, Q);
+  for (PetscInt k = 0; k < 9; k++) B[k / 3 * MONOMIALS + LINEAR + k % 3] = Q[k];
+  for (PetscInt i = 3; i < 1 + FREE; i++) B[i * MONOMIALS + SQUARE + i - 3] = 1 / size;
+  GramTransform_Private(1 + FREE, B, G, H);
+  for (PetscInt k = 0; k < FREE * FREE; k++) A[k] = H[(1 + k / FREE) * (1 + FREE) + 1 + k % FREE];
+  DenseEigen(FREE, A, value, V);
+  for (PetscInt k = 0; k < FREE; k++) most = PetscMax(most, value[k]);
+  distance = H[0];
+  for (PetscInt l = 0; l < MONOMIALS; l++) c[l] = B[l];
+  for (PetscInt k = 0; k < FREE; k++) {
+    PetscReal along = 0;
+
+    if (value[k] <= NO_EIGENVALUE * most) continue;
+    for (PetscInt i = 0; i < FREE; i++) along -= V[i * FREE + k] * H[1 + i];
+    distance -= along * along / value[k];
+    for (PetscInt i = 0; i < FREE; i++) {
+      for (PetscInt l = 0; l < MONOMIALS; l++) c[l] += V[i * FREE + k] * along / value[k] * B[(1 + i) * MONOMIALS + l];
+    }
+  }
+  if (distance > G[0] * PetscSqr(ON_QUADRIC * size)) return PETSC_FALSE;
+  return QuadricPasses_Private(normal, size, c);
+}
+
+/* A side, and the parts of its facets with straight edges. */
+typedef struct {
+  Level           *level;
+  const Facets    *facets;
+  const SideShape *shape;
+  const PetscReal *share;
+} Patch;
+
+/* From corner i of a facet to corner j. */
+static void PatchGetWay_Private(const Patch *patch, PetscInt f, PetscInt i, PetscInt j, PetscReal d[3])
+{
+  for (PetscInt k = 0; k < 3; k++)
+    d[k] =
+        SideGetPosition(patch->level, patch->facets, f, j, k) - SideGetPosition(patch->level, patch->facets, f, i, k);
+}
+
+/* Points of the facets around each node. [out] sums - [num][F][SUMS] */
+static PetscErrorCode PatchSumPoints_Private(const Patch *patch, PetscReal sums[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < patch->facets->num; f++) {
+    const PetscInt  num = ElementNumNodes(patch->facets->type[f]);
+    const PetscInt *corner;
+    PetscInt        corners, parts;
+
+    FrameGetParts(num, &parts, &corners, &corner);
+    for (PetscInt p = 0; p < parts * corners; p++) {
+      const PetscInt i = corner[p];
+
+      sums[(f * F + i) * SUMS + SUM_COUNT] += 1;
+      for (PetscInt q = 0; q < corners; q++) {
+        PetscReal d[3];
+
+        PatchGetWay_Private(patch, f, i, corner[p / corners * corners + q], d);
+        GramAddPoint_Private(d, &sums[(f * F + i) * SUMS]);
+      }
+    }
+  }
+  PetscCall(SideSumAtNodes(patch->level, patch->facets, SUMS, patch->shape->ridge, sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What a neighbour adds to the number of points in the two rings around a node: its edges to the outer ring,
+   less one that ends where an edge of the next neighbour does. Both facets at the neighbour add half of it.
+   [in] num - facets at the neighbour; [in] corners - of each */
+static PetscReal PointsBehind_Private(const Patch *patch, PetscInt f, PetscInt j, PetscReal num, PetscInt corners)
+{
+  const PetscInt c = f * F + j, own = corners == 3 ? 4 : 3; // edges in the facets at the node, and one
+
+  if (patch->shape->ridge[c] != 0) return 0;
+  return 0.5 * (num + (patch->share[c] < INNER_TURN ? 1 : 0) - own);
+}
+
+/* Points of the facets around the neighbours of each node.
+   [in] ring - of PatchSumPoints_Private(); [out] sums - [num][F][SUMS] */
+static PetscErrorCode PatchSumRings_Private(const Patch *patch, const PetscReal ring[], PetscReal sums[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < patch->facets->num; f++) {
+    const PetscInt *corner;
+    PetscInt        corners, parts;
+
+    FrameGetParts(ElementNumNodes(patch->facets->type[f]), &parts, &corners, &corner);
+    for (PetscInt p = 0; p < parts * corners; p++) {
+      const PetscInt i    = corner[p];
+      PetscReal     *mine = &sums[(f * F + i) * SUMS];
+
+      if (patch->share[f * F + i] < INNER_TURN) continue;
+      mine[SUM_COUNT] += corners - 2;
+      for (PetscInt q = 1; q < corners; q++) {
+        const PetscInt   j     = corner[p / corners * corners + (p + q) % corners];
+        const PetscReal *other = &ring[(f * F + j) * SUMS];
+        PetscReal        d[3];
+
+        if (q == 1 || q == corners - 1) mine[SUM_COUNT] += PointsBehind_Private(patch, f, j, other[SUM_COUNT], corners);
+        if (patch->shape->ridge[f * F + j] != 0) continue;
+        PatchGetWay_Private(patch, f, i, j, d);
+        GramAddShifted_Private(d, other, mine);
+      }
+    }
+  }
+  PetscCall(SideSumAtNodes(patch->level, patch->facets, SUMS, patch->shape->ridge, sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Fits quadrics to the points around inner nodes of the patch. [in] sums - of PatchSumRings_Private(); [out]
+   quadric - about the node of each corner, zero where there is none [num][F][MONOMIALS] */
+static PetscErrorCode PatchFit_Private(const Patch *patch, const PetscReal sums[], PetscReal quadric[])
+{
+  PetscInt *first; // corner of each node whose quadric is known, and one more
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(patch->level->num_nodes, &first));
+  for (PetscInt f = 0; f < patch->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(patch->facets->type[f]); i++) {
+      const PetscInt c = f * F + i, node = patch->facets->nodes[c];
+      PetscReal     *own = &quadric[c * MONOMIALS];
+
+      if (patch->share[c] < INNER_TURN || patch->shape->ridge[c] != 0) continue;
+      if (first[node]) {
+        PetscCall(PetscArraycpy(own, &quadric[(first[node] - 1) * MONOMIALS], MONOMIALS));
+        continue;
+      }
+      first[node] = c + 1;
+      if (sums[c * SUMS + SUM_COUNT] < FREE + EVIDENCE) continue;
+      if (!QuadricFit_Private(&sums[c * SUMS], &patch->shape->normal[c * 3], own))
+        PetscCall(PetscArrayzero(own, MONOMIALS));
+    }
+  }
+  PetscCall(PetscFree(first));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A neighbour's quadric about this corner's node. Returns whether there is one that passes through the node.
+   [in] i, j - corners of facet f; [out] c - [MONOMIALS] */
+static PetscBool PatchCarry_Private(const Patch *patch, const PetscReal quadric[], PetscInt f, PetscInt i, PetscInt j,
+                                    PetscReal c[])
+{
+  const PetscReal *other = &quadric[(f * F + j) * MONOMIALS];
+  PetscReal        d[3], T[MONOMIALS * MONOMIALS];
+
+  if (VectorNorm(3, &other[LINEAR]) == 0) return PETSC_FALSE;
+  PatchGetWay_Private(patch, f, j, i, d);
+  MonomialsShift_Private(d, T);
+  for (PetscInt k = 0; k < MONOMIALS; k++) {
+    c[k] = 0;
+    for (PetscInt l = 0; l < MONOMIALS; l++) c[k] += other[l] * T[l * MONOMIALS + k];
+  }
+  return QuadricPasses_Private(&patch->shape->normal[(f * F + i) * 3], VectorNorm(3, d), c);
+}
+
+/* Drops quadrics that do not pass through the points around all inner neighbours, too: one through five lines
+   of a mesh that is extruded always exists. Collective.
+   [in] sums - of PatchSumRings_Private(); [in,out] quadric */
+static PetscErrorCode PatchConfirm_Private(const Patch *patch, const PetscReal sums[], PetscReal quadric[])
+{
+  const PetscInt num = patch->facets->num * F;
+  PetscReal     *against;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(num, &against));
+  for (PetscInt f = 0; f < patch->facets->num; f++) {
+    const PetscInt n = ElementNumNodes(patch->facets->type[f]);
+
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        const PetscReal *G = &sums[(f * F + j) * SUMS];
+        PetscReal        c[MONOMIALS], distance = 0;
+
+        if (i == j || patch->share[f * F + j] < INNER_TURN || patch->shape->ridge[f * F + j] != 0) continue;
+        if (PatchCarry_Private(patch, quadric, f, j, i, c))
+          GramTransform_Private(1, c, G, &distance);
+        else
+          distance = PETSC_MAX_REAL;
+        if (distance > G[0] * PetscSqr(CONFIRMS) * GramSquare_Private(G)) against[f * F + i] = 1;
+      }
+    }
+  }
+  PetscCall(SideSumAtNodes(patch->level, patch->facets, 1, patch->shape->ridge, against));
+  for (PetscInt c = 0; c < num; c++) {
+    if (against[c] > 0) PetscCall(PetscArrayzero(&quadric[c * MONOMIALS], MONOMIALS));
+  }
+  PetscCall(PetscFree(against));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Nodes without a quadric take the mean of their neighbours'. Collective. [in,out] quadric */
+static PetscErrorCode PatchSpread_Private(const Patch *patch, PetscReal quadric[])
+{
+  const PetscInt num = patch->facets->num * F;
+  PetscReal     *sums;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(num * MONOMIALS, &sums));
+  for (PetscInt f = 0; f < patch->facets->num; f++) {
+    const PetscInt n = ElementNumNodes(patch->facets->type[f]);
+
+    for (PetscInt i = 0; i < n; i++) {
+      for (PetscInt j = 0; j < n; j++) {
+        PetscReal c[MONOMIALS];
+
+        if (i == j || !PatchCarry_Private(patch, quadric, f, i, j, c)) continue;
+        for (PetscInt k = 0; k < MONOMIALS; k++) sums[(f * F + i) * MONOMIALS + k] += c[k];
+      }
+    }
+  }
+  PetscCall(SideSumAtNodes(patch->level, patch->facets, MONOMIALS, patch->shape->ridge, sums));
+  for (PetscInt c = 0; c < num; c++) {
+    PetscReal *own = &quadric[c * MONOMIALS], *sum = &sums[c * MONOMIALS];
+
+    if (VectorNorm(3, &own[LINEAR]) > 0 || patch->shape->ridge[c] != 0) continue;
+    for (PetscInt k = 0; k < MONOMIALS; k++) own[k] = sum[k] / PetscMax(VectorNorm(3, &sum[LINEAR]), PETSC_MIN_REAL);
+  }
+  PetscCall(PetscFree(sums));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideQuadricsGetNormals(Level *level, const Facets *facets, const SideShape *shape,
+                                      const PetscReal share[], PetscReal exact[])
+{
+  const Patch    patch = {level, facets, shape, share};
+  const PetscInt num   = facets->num * F;
+  PetscReal     *ring, *rings, *quadric;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc3(num * SUMS, &ring, num * SUMS, &rings, num * MONOMIALS, &quadric));
+  PetscCall(PatchSumPoints_Private(&patch, ring));
+  PetscCall(PatchSumRings_Private(&patch, ring, rings));
+  PetscCall(PatchFit_Private(&patch, rings, quadric));
+  PetscCall(PatchConfirm_Private(&patch, rings, quadric));
+  for (PetscInt k = 0; k < SPREADS; k++) PetscCall(PatchSpread_Private(&patch, quadric));
+  for (PetscInt c = 0; c < num; c++) PetscCall(PetscArraycpy(&exact[3 * c], &quadric[c * MONOMIALS + LINEAR], 3));
+  PetscCall(PetscFree3(ring, rings, quadric));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
