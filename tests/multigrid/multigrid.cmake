@@ -82,6 +82,7 @@ mortise_scene_test(ahead OWN_RUNS        SCENE wheel_on_rail CHECK ahead.py LABE
 mortise_scene_test(wander       CHECK wander.py ARGS -pc_type truncatedmg)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
 mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks that one loses its bundles" RANKS 5 LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
+mortise_scene_test(rank_numbers SCENE wheel_on_rail CHECK rank_numbers.py LABELS mpi ARGS -pc_type truncatedmg)
 mortise_scene_test(shorter      SCENE stiff_floor CHECK shorter.py LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
 mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
 mortise_scene_test(drags        LONG SCENE strips CHECK drags.py ARGS -a_dm_plex_box_faces 80,1,1 -a_dm_plex_box_upper 320,1,1)
