@@ -18,6 +18,7 @@
    one block. In T'S_u T contact couples the blocks of both bodies. */
 #include "base/compat.h"
 #include "multigrid/bodysmoother.h"
+#include "multigrid/dealtrows.h"
 #include "multigrid/envelopecompliance.h"
 #include "multigrid/envelopefactor.h"
 #include "multigrid/redundantsolve.h"
@@ -329,22 +330,16 @@ static PetscErrorCode BodySmootherCreateG_Private(Mat X, Vec w, Mat *G)
 /* The part of the rows h of T^-1 that blocks of this rank have, X' in their rows; G_hh from it. */
 static PetscErrorCode BodySmootherCreateCompliance_Private(BodySmoother *body, Mat *G)
 {
-  PetscInt n, N;
-  Mat      transpose, *matrices = NULL;
-  IS       all;
+  PetscInt n;
+  Mat      transpose, dealt = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetSize(body->s, &n));
   PetscCall(MatTranspose(body->X, MAT_INITIAL_MATRIX, &transpose));
-  if (body->deal) {
-    PetscCall(MatGetSize(transpose, NULL, &N));
-    PetscCall(ISCreateStride(PETSC_COMM_SELF, N, 0, 1, &all));
-    PetscCall(MatCreateSubMatrices(transpose, 1, &body->rows, &all, MAT_INITIAL_MATRIX, &matrices));
-    PetscCall(ISDestroy(&all));
-  }
-  PetscCall(EnvelopeComplianceCreate(body->parts, body->X, matrices ? matrices[0] : transpose, MAX_COMPLIANCE_WORK * n,
+  if (body->deal) PetscCall(DealtRowsCreate(transpose, body->rows, NULL, &dealt));
+  PetscCall(EnvelopeComplianceCreate(body->parts, body->X, dealt ? dealt : transpose, MAX_COMPLIANCE_WORK * n,
                                      &body->num_touched, &body->touched, G));
-  if (matrices) PetscCall(MatDestroySubMatrices(1, &matrices));
+  PetscCall(MatDestroy(&dealt));
   PetscCall(MatDestroy(&transpose));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,6 +5,7 @@
    those of the base anew. */
 #include "base/compat.h"
 #include "multigrid/dealtfactor.h"
+#include "multigrid/dealtrows.h"
 #include "multigrid/envelopefactor.h"
 #include "multigrid/ghostexchange.h"
 #include "multigrid/graphcomponents.h"
@@ -56,13 +57,8 @@ static PetscErrorCode DealGet_Private(Mat S, Deal **deal)
 /* Rows and columns of S. */
 static PetscErrorCode DealGetRows_Private(const Deal *deal, Mat S, Mat *own)
 {
-  Mat *matrices;
-
   PetscFunctionBeginUser;
-  PetscCall(MatCreateSubMatrices(S, 1, &deal->rows, &deal->rows, MAT_INITIAL_MATRIX, &matrices));
-  *own = matrices[0];
-  PetscCall(PetscObjectReference((PetscObject)*own));
-  PetscCall(MatDestroySubMatrices(1, &matrices));
+  PetscCall(DealtRowsCreate(S, deal->rows, deal->rows, own));
   PetscCall(MatSetOption(*own, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -3,6 +3,7 @@
    Factors of the matrix without active unknowns are composed with it. Matrices of active sets have a
    reference to it, since PETSc gives their PC nothing but them. */
 #include "base/compat.h"
+#include "multigrid/dealtrows.h"
 #include "multigrid/envelopefactor.h"
 #include "multigrid/graphcomponents.h"
 
@@ -277,7 +278,6 @@ PetscErrorCode EnvelopeFactorDeal(Mat S, IS *rows, Mat *own)
   PetscInt n;
   Kept    *kept;
   Vec      one; /* value for each label */
-  Mat     *matrices;
   IS       blocks;
 
   PetscFunctionBeginUser;
@@ -286,10 +286,7 @@ PetscErrorCode EnvelopeFactorDeal(Mat S, IS *rows, Mat *own)
   PetscCall(VecCreateMPI(PetscObjectComm((PetscObject)S), n / kept->bs, PETSC_DETERMINE, &one));
   PetscCall(GraphComponentsDeal(one, kept->label, &blocks));
   PetscCall(EnvelopeFactorListRows_Private(blocks, kept->bs, rows));
-  PetscCall(MatCreateSubMatrices(S, 1, rows, rows, MAT_INITIAL_MATRIX, &matrices));
-  *own = matrices[0];
-  PetscCall(PetscObjectReference((PetscObject)*own));
-  PetscCall(MatDestroySubMatrices(1, &matrices));
+  PetscCall(DealtRowsCreate(S, *rows, *rows, own));
   PetscCall(EnvelopeFactorKeepRows(S, *rows, *own));
   PetscCall(ISDestroy(&blocks));
   PetscCall(VecDestroy(&one));

@@ -11,6 +11,7 @@ mortise_unit(points LAYER multigrid RANKS 1 3)
 mortise_unit(redundant LAYER multigrid RANKS 1 3 9) # two groups of ranks
 mortise_unit(envelope LAYER multigrid)
 mortise_unit(dealtfactor LAYER multigrid RANKS 1 2 3)
+mortise_unit(dealtrows LAYER multigrid RANKS 1 2 3)
 mortise_unit(transposedproduct LAYER multigrid RANKS 1 2 3)
 mortise_unit(bundles LAYER solve RANKS 1 3)
 mortise_unit(smoother LAYER solve RANKS 1 3)
