@@ -81,6 +81,7 @@ static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solv
   object = cJSON_AddObjectToObject(solver, "friction");
   JSONAddReal(object, "rho", report->rho);
   cJSON_AddBoolToObject(object, "unique", report->rho < 1);
+  cJSON_AddStringToObject(object, "rho_mesh", report->coarser ? "coarser" : "own");
   JSONAddInt(object, "slipping", report->slipping);
   JSONAddInt(object, "sticking", report->sticking);
   JSONAddInt(object, "relaxations", report->shortened);

@@ -28,6 +28,7 @@ typedef struct {
   PetscInt  slipping, sticking; /* nodes */
   PetscReal rho; /* spectral radius of G -> coefficient r_n(G) at slipping nodes: locally unique if < 1 (eq. 16.6) */
   PetscInt  shortened; /* Newton steps that were shortened */
+  PetscBool coarser;   /* rho is that of the coarser mesh */
 } FrictionReport;
 
 /* Sets the friction law of the bounded unknowns of a SNES of type pdas. Its linear systems are dense: reduced
@@ -36,6 +37,9 @@ PetscErrorCode PDASSetFriction(SNES snes, const FrictionLaw *law);
 /* Whether limits follow the pressure from one Tresca problem to the next, instead of within Newton's method.
    This second method converges where rho < 1. Collective. */
 PetscErrorCode PDASSetFrictionFixedPoint(SNES snes, PetscBool fixed_point);
+/* What the next solve must do for rho. Not collective. [in] needed - whether it is wanted; default: yes;
+   [in] coarser - results on the mesh whose states are the initial ones of that solve alone, NULL for none */
+PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionReport *coarser);
 /* Results of the last solve; zero without friction. Not collective, the same on all ranks. */
 PetscErrorCode PDASGetFriction(SNES snes, FrictionReport *report);
 

@@ -44,7 +44,8 @@ static PetscErrorCode FrictionArnoldiLargest_Private(PetscInt size, const PetscS
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal *rho)
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal part,
+                                      PetscReal *rho)
 {
   const PetscInt num                      = method->units.num;
   PetscScalar    H[RHO_STEPS * RHO_STEPS] = {0};
@@ -64,8 +65,9 @@ PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, co
     PetscCall(FrictionArnoldiOrthogonalize_Private(method, k + 1, basis, basis[k + 1], h));
     for (PetscInt i = 0; i < PetscMin(k + 2, RHO_STEPS); i++) H[RHO_STEPS * k + i] = h[i];
     PetscCall(FrictionArnoldiLargest_Private(k + 1, H, rho));
-    calm =
-        PetscAbsReal(*rho - before) < PetscMax(RHO_SETTLES * *rho, RHO_DISTANT * PetscAbsReal(1 - *rho)) ? calm + 1 : 0;
+    calm    = PetscAbsReal(*rho - before) < part * PetscMax(RHO_SETTLES * *rho, RHO_DISTANT * PetscAbsReal(1 - *rho))
+                  ? calm + 1
+                  : 0;
     settled = (PetscBool)((k + 1 >= RHO_FIRST && *rho < RHO_TINY) || (k + 1 >= RHO_FEW && *rho < RHO_SMALL) ||
                           (k + 1 >= RHO_FEW && calm >= RHO_CALM));
     before  = *rho;

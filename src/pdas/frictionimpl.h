@@ -178,8 +178,9 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
 /* rho = max |eigenvalue of M|, by Arnoldi's method. Collective. [in] seed - in no invariant subspace, 0 where
-   M is 0 [num] */
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal *rho);
+   M is 0 [num]; [in] part - of the changes at which rho has settled, else */
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal part,
+                                      PetscReal *rho);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]
    y - initial guess */

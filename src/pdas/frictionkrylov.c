@@ -16,14 +16,19 @@ static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5
    SWEPT_PATIENCE of them it begins anew without proximal steps. */
 enum { PATIENCE = 40, SWEPT_PATIENCE = 10 };
 static const PetscReal DESCENT = 0.9;
-/* Tolerance of coarser levels: their solution is only an initial guess. They need no rho, which costs as much
-   as two steps. */
+/* Tolerance of coarser levels: their solution is only an initial guess. */
 static const PetscReal LEVEL_RTOL = 1e-5;
 /* The law's residual may have this part of the tolerance of systems: the error in the energy norm is
    larger. */
 static const PetscReal LAW_PART = 0.1;
-/* Accuracy of the systems for rho. */
-static const PetscReal RHO_RTOL = 1e-2;
+/* rho hardly depends on the mesh. It is that of the coarser mesh under three conditions: RHO_NODES nodes
+   slip there, it is not within RHO_NEAR of 1, and less than RHO_CHANGES of the nodes changed what they do
+   since. */
+enum { RHO_NODES = 80 };
+static const PetscReal RHO_NEAR = 0.3, RHO_CHANGES = 0.05;
+/* Accuracy of the systems for rho. On the coarser mesh, where steps are cheap, it settles at LEVEL_SETTLES
+   of the changes. */
+static const PetscReal RHO_RTOL = 1e-2, LEVEL_SETTLES = 0.2;
 /* The first vector for rho is smooth: the limits. Parts of it follow the direction of slip and the number of
    the unknown. So it is in no invariant subspace, such as those of symmetric scenes. */
 static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
@@ -45,6 +50,7 @@ typedef struct {
   PetscBool      begun;   /* units have decided */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
   PetscBool      turns;   /* units have two tangents: slip may turn */
+  PetscInt       changes; /* of decisions since the initial ones */
 } Krylov;
 
 /* Tolerance of the law's residual, relative to the forces. */
@@ -227,7 +233,8 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   FrictionUnitsProject(&method->units, t->from);
   PetscCall(FrictionKrylovPrescribe_Private(method));
   if (step->changed || !t->told) PetscCall(FrictionLinearTell(&t->linear));
-  t->same  = (PetscBool)(t->same && !step->changed);
+  t->same = (PetscBool)(t->same && !step->changed);
+  t->changes += step->changed;
   t->begun = t->told = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -392,8 +399,7 @@ static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscR
   PetscReal *seed;
 
   PetscFunctionBeginUser;
-  *rho = 0;
-  if (method->solver->rtol > LEVEL_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
+  *rho              = 0;
   t->linear.coupled = PETSC_FALSE;
   PetscCall(PetscCalloc1(method->units.num, &seed));
   for (PetscInt a = 0; a < method->units.num; a++) {
@@ -403,8 +409,28 @@ static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscR
     seed[a] = FrictionUnitLimit(unit, method->units.r[unit->normal]) *
               (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal((PetscReal)unit->normal));
   }
-  PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, seed, rho));
+  PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, seed,
+                                   method->solver->rtol > LEVEL_RTOL ? LEVEL_SETTLES : 1, rho));
   PetscCall(PetscFree(seed));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* rho of the report: that of before if decisions are the same, that of the coarser mesh, or its own. */
+static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, FrictionReport *report)
+{
+  const PDAS           *pdas    = method->pdas;
+  const Krylov         *t       = method->data;
+  const FrictionReport *coarser = &pdas->coarser;
+
+  PetscFunctionBeginUser;
+  if (pdas->rho_skipped || (t->same && report->rho > 0)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (method->solver->rtol > LEVEL_RTOL && report->slipping < RHO_NODES) PetscFunctionReturn(PETSC_SUCCESS);
+  report->coarser = (PetscBool)(coarser->slipping >= RHO_NODES && PetscAbsReal(coarser->rho - 1) > RHO_NEAR &&
+                                (PetscReal)t->changes < RHO_CHANGES * (PetscReal)(report->slipping + report->sticking));
+  if (report->coarser)
+    report->rho = coarser->rho;
+  else
+    PetscCall(FrictionKrylovGetRho_Private(method, &report->rho));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -419,7 +445,7 @@ static PetscErrorCode Finish_Krylov(FrictionMethod method, Vec y)
   PetscCall(VecCopy(t->y, y));
   FrictionUnitsMark(&method->units, pdas->set.active);
   PetscCall(FrictionUnitsCount(&method->units, report, &closed));
-  if (pdas->converged && !(t->same && report->rho > 0)) PetscCall(FrictionKrylovGetRho_Private(method, &report->rho));
+  if (pdas->converged) PetscCall(FrictionKrylovReport_Private(method, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

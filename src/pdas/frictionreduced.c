@@ -258,6 +258,7 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     for (PetscInt i = 0; i < method->units.n; i++) all[i] = mark[i] ? 1 : 0;
     PetscCall(FrictionUnitsCount(&method->units, report, &closed));
     PetscCall(FrictionSystemGetRho(&t->problem, &report->rho));
+    report->coarser = PETSC_FALSE;
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));
   for (PetscInt i = 0; i < pdas->set.n; i++) pdas->set.active[i] = (PetscBool)(own[i] > 0);

@@ -86,6 +86,17 @@ PetscErrorCode PDASSetFrictionFixedPoint(SNES snes, PetscBool fixed_point)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionReport *coarser)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->rho_skipped = (PetscBool)!needed;
+  pdas->coarser     = coarser ? *coarser : (FrictionReport){.rho = 0};
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PDASGetFriction(SNES snes, FrictionReport *report)
 {
   PDAS *pdas;
@@ -284,6 +295,7 @@ static PetscErrorCode Solve_PDAS(SNES snes, Vec y)
   else
     PetscCall(SNESSetConvergedReason(snes, pdas->failure ? SNES_DIVERGED_LINEAR_SOLVE : SNES_DIVERGED_MAX_IT));
   PetscCall(PDASEnd_Private(pdas, &pdas->set, y));
+  pdas->coarser = (FrictionReport){.rho = 0};
   if (!pdas->keep || !pdas->converged) PetscCall(PDASDestroySolver_Private(pdas));
   PetscCall(VecDestroy(&r));
   PetscFunctionReturn(PETSC_SUCCESS);

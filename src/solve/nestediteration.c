@@ -31,8 +31,9 @@ static const char PREFIX[] = "nested_";
 
 /* The state of a level before or after its solve. */
 typedef struct {
-  Vec y;
-  Vec active; /* its set: 1 or 0 */
+  Vec            y;
+  Vec            active;   /* its set: 1 or 0 */
+  FrictionReport friction; /* of the last level that was solved, no nodes if it did not converge */
 } State;
 
 /* Zero, without contact. [out] state - to be destroyed by NestedIterationStateDestroy_Private() */
@@ -119,6 +120,7 @@ static PetscErrorCode NestedIterationGetState_Private(Hierarchy hierarchy, const
 
   PetscFunctionBeginUser;
   PetscCall(SNESGetConvergedReason(snes, &reason));
+  state->friction = (FrictionReport){.rho = 0};
   if (reason < 0) PetscCall(PetscInfo(snes, "a coarser level ends with %s\n", SNESConvergedReasons[reason]));
   if (reason < 0 && reason != SNES_DIVERGED_MAX_IT) {
     PetscCall(VecCopy(y, state->y));
@@ -128,6 +130,7 @@ static PetscErrorCode NestedIterationGetState_Private(Hierarchy hierarchy, const
   if (pdas) {
     PetscCall(PDASGetActive(snes, &last));
     PetscCall(VecCopy(last, state->active));
+    if (reason > 0) PetscCall(PDASGetFriction(snes, &state->friction));
   } else {
     PetscCall(ActivePredictionGetActive(hierarchy, level, state->y, state->active));
   }
@@ -227,7 +230,10 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscCall(SNESSetupCreate(solved, &choice, scratch, &norm, &snes));
   PetscCall(NestedIterationSetTolerances_Private(snes, pdas, (PetscBool)(solved->vi->friction != NULL),
                                                  DiscretizationStopPart(solved->vi->scene), energy_decrease, begun));
-  if (solved->vi->friction) PetscCall(PDASSetFriction(snes, solved->vi->friction));
+  if (solved->vi->friction) {
+    PetscCall(PDASSetFriction(snes, solved->vi->friction));
+    PetscCall(PDASSetFrictionRho(snes, (PetscBool)(m + 2 == levels->num), NULL));
+  }
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
@@ -317,6 +323,7 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   if (levels->lift[m]) PetscCall(VecAXPY(to->y, 1, levels->lift[m]));
   PetscCall(NestedIterationSetFixed_Private(&level->op, to->y));
   PetscCall(ProximalSetCenter(proximal, to->y));
+  to->friction = from->friction;
   PetscCall(MatMult(level->P, from->active, to->active));
   PetscCall(NestedIterationRound_Private(&level->op, friction, to->active));
   if (!friction) PetscCall(ActivePredictionApply(levels->hierarchy, level, pc, to->y, to->active, energy_decrease));
@@ -349,7 +356,7 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
   PetscInt       first;
   Proximal       own[2]; // of this level and the next one, alternating: they must not be moved
   Solvability   *solvability;
-  State          state = {NULL, NULL}, next;
+  State          state = {.y = NULL}, next;
 
   PetscFunctionBeginUser;
   *energy_decrease = 0;
@@ -381,6 +388,7 @@ PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *prox
   if (first < finest) {
     PetscCall(VecCopy(state.y, y));
     PetscCall(VecCopy(state.active, active));
+    if (!strcmp(type, SNESPDAS)) PetscCall(PDASSetFrictionRho(snes, PETSC_TRUE, &state.friction));
     PetscCall(NestedIterationStateDestroy_Private(&state));
   }
   for (PetscInt m = 0; m < finest; m++) PetscCall(SolvabilityDestroy(&solvability[m]));

@@ -1,0 +1,16 @@
+"""rho of the next coarser mesh, at a quarter of the cost, is within a per cent of that of the dense system; on its own mesh where it is near 1. Products: 433 before."""
+from judge import near, require, same
+
+WORK = 290  # products with the matrix of the finest mesh
+CLOSE = 0.01
+
+
+def judge(run):
+    solver = run.summary["solver"]
+    same("mesh of rho", solver["friction"]["rho_mesh"], "coarser")
+    require(solver["work_units"] <= WORK, f"{solver['work_units']} products")
+    dense = run.again("-pc_type", "cholesky", name="dense").summary["solver"]["friction"]
+    same("mesh of rho, dense", dense["rho_mesh"], "own")
+    near("rho", solver["friction"]["rho"], dense["rho"], relative=CLOSE)
+    large = run.again("-floor_friction", "2.4", "-warnings_accept", "large_friction", name="large").summary["solver"]["friction"]
+    same("mesh of rho near 1", large["rho_mesh"], "own")
