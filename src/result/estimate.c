@@ -167,7 +167,7 @@ PetscErrorCode EstimateGet(Fields fields, Estimate *estimate)
   PetscCall(PetscMalloc1(num, &energy));
   PetscCall(FieldsEnergy(fields, energy, &(*estimate)->potential));
   for (PetscInt b = 0; b < num; b++) (*estimate)->norm += 2 * energy[b];
-  for (PetscInt p = 0; p < fields->vi->num_pairs && (*estimate)->norm == 0; p++)
+  for (PetscInt p = 0; p < fields->vi->num_pairs; p++)
     (*estimate)->missed = (PetscBool)((*estimate)->missed || (*estimate)->hidden[p].value > 0);
   PetscCall(PetscFree(energy));
   fields->estimate = *estimate;

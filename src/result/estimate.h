@@ -23,7 +23,7 @@ struct _n_Estimate {
   PetscReal  norm;      /* |u|_a^2: twice the strain energy */
   PetscReal  potential; /* J_h */
   Largest  *hidden; /* depth of the partner in facets without pressure, 0 for none; the same on all ranks [num_pairs] */
-  PetscBool missed; /* whether nothing moves while a pair has such a place: all of the solution is missing */
+  PetscBool missed; /* whether a pair has such a place: where no body is deformed, all of the solution is missing */
 };
 typedef struct _n_Estimate *Estimate;
 

@@ -18,8 +18,10 @@ static const PetscReal HIDDEN_DEPTH = 1e-9;
 /* Both sides' values at nodes. */
 typedef struct {
   const PetscScalar *u, *traction, *normal; /* local forms of the nonmortar side */
-  const PetscScalar *status;                /* of the nonmortar side; with a frozen set, of that */
-  const PetscScalar *before;                /* displacement from which slip counts, or NULL for none */
+  /* Status of the nonmortar side, and whether the node has a pressure, its own or that of neighbours; with a
+     frozen set, of that [2] */
+  const PetscScalar *status;
+  const PetscScalar *before; /* displacement from which slip counts, or NULL for none */
   NodalStressArrays  stress;
   PetscReal         *u_m;        /* of PairPointsFetch(), like the following */
   PetscReal         *before_m;   /* NULL for none */
@@ -116,7 +118,7 @@ typedef struct {
   PetscReal x[3], normal[3], jump[3], traction[3], stress[2][CELL_STRESSES];
   PetscReal before[3]; /* the jump from which slip counts */
   PetscBool closed;    /* whether all vertices of the facet are in contact */
-  PetscBool pushed;    /* whether there is a traction at any node of the facet that is not open */
+  PetscBool pushed;    /* whether any node of the facet has a pressure */
 } PointState;
 
 static void PointStateSet_Private(const Level *level, PairPoints points, const PairPoint *point,
@@ -129,7 +131,7 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
 
   *state = (PointState){.closed = PETSC_TRUE};
   for (PetscInt i = 0; i < ElementNumNodes(ElementLinear(type)); i++)
-    state->closed = (PetscBool)(state->closed && StatusIsContact((PetscInt)values->status[nodes[i]]));
+    state->closed = (PetscBool)(state->closed && StatusIsContact((PetscInt)values->status[2 * nodes[i]]));
   ElementShape(type, point->xi, phi, NULL);
   for (PetscInt i = 0; i < ElementNumNodes(type); i++) {
     for (PetscInt k = 0; k < dim; k++) {
@@ -138,9 +140,8 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
       state->jump[k] += phi[i] * PetscRealPart(values->u[nodes[i] * dim + k]);
       if (values->before) state->before[k] += phi[i] * PetscRealPart(values->before[nodes[i] * dim + k]);
       state->traction[k] += phi[i] * PetscRealPart(values->traction[nodes[i] * dim + k]);
-      if (values->traction[nodes[i] * dim + k] != 0 && values->status[nodes[i]] != STATUS_OPEN)
-        state->pushed = PETSC_TRUE; // that of an open node is roundoff
     }
+    state->pushed = (PetscBool)(state->pushed || values->status[2 * nodes[i] + 1] != 0);
     for (PetscInt k = 0; k < CELL_STRESSES; k++)
       state->stress[0][k] += phi[i] * PetscRealPart(NodalStressAt(&values->stress, nodes[i], material)[k]);
   }
@@ -263,18 +264,33 @@ static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Status of the nodes of a side. Collective. [out] status - ghosted, owned by the caller */
+/* Status of the nodes of a side, and whether they have a pressure. The traction does not tell that: open
+   nodes have roundoff, which removed nodes take from them. Collective. [out] status - two per node, ghosted,
+   owned by the caller */
 static PetscErrorCode EstimateCreateStatus_Private(Fields fields, PetscInt p, Vec *status)
 {
-  PairFields   nodal;
-  PetscScalar *a;
+  const PetscInt n = fields->vi->level->num_owned;
+  PetscReal     *pushed;
+  PetscBool     *covered;
+  PairFields     nodal;
+  PetscScalar   *a;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(fields->vi->level, 1, status));
+  PetscCall(LevelCreateVec(fields->vi->level, 2, status));
   PetscCall(PairFieldsCreate(fields, p, &nodal));
+  PetscCall(PetscMalloc2(n, &pushed, n, &covered));
+  for (PetscInt i = 0; i < n; i++) {
+    pushed[i]  = StatusIsContact(nodal.status[i]) || nodal.status[i] == STATUS_TIED;
+    covered[i] = (PetscBool)(nodal.status[i] != STATUS_NONE);
+  }
+  PetscCall(PairFieldsSpread(fields->vi->pairs[p], pushed, covered));
   PetscCall(VecGetArray(*status, &a));
-  for (PetscInt i = 0; i < fields->vi->level->num_owned; i++) a[i] = (PetscReal)nodal.status[i];
+  for (PetscInt i = 0; i < n; i++) {
+    a[2 * i]     = (PetscReal)nodal.status[i];
+    a[2 * i + 1] = pushed[i];
+  }
   PetscCall(VecRestoreArray(*status, &a));
+  PetscCall(PetscFree2(pushed, covered));
   PetscCall(PairFieldsDestroy(&nodal));
   PetscCall(LevelShareVec(*status, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);

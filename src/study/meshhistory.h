@@ -13,7 +13,7 @@ typedef struct {
   PetscReal norm, potential, signs;      /* |u|_a^2 (0: rounding), J_h, L */
   PetscReal lost, supports;              /* parts of L: changes of volume, moved supports */
   PetscReal seconds;                     /* from the mesh to its bars */
-  PetscBool missed;                      /* whether contact was missed and nothing moves */
+  PetscBool missed;                      /* whether contact was missed somewhere */
   cJSON    *row;                         /* of SummaryCreateStep() */
   Peak     *peak;                        /* of pairs [num_pairs] */
   GoalState *goals;                      /* [scene->adapt.num_goals], or NULL */

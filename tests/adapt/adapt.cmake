@@ -34,6 +34,7 @@ mortise_scene_test(edge2d CHECK exact.py RANKS 1 3 ARGS -upper_dm_plex_box_faces
 mortise_scene_test(parabola_fine SCENE r4b CHECK parabola.py RANKS 1 ARGS -adapt 2.4e-3)
 mortise_scene_test(parabola_half SCENE r4b CHECK parabola_half.py RANKS 1 ARGS -adapt 1.2e-3
   -block_dm_plex_box_lower 0,-2 -block_dm_plex_box_faces 2,2 -block_bc_normal left)
+mortise_scene_test(axis CHECK axis.py RANKS 1 3)
 mortise_scene_test(stamp CHECK stamp.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(narrow SCENE r4b CHECK narrow.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -joint_obstacle_gap "(x-0.25)^2/2-0.0025")
 mortise_scene_test(beside CHECK beside.py RANKS 1)
