@@ -5,7 +5,7 @@
 /* Tresca problems after which limits are accelerated: for a small coefficient they settle before. */
 enum { PLAIN_PROBLEMS = 12 };
 /* The iteration goes on from elsewhere after STALLED_STEPS steps in a row that do not descend, or if the
-   residual is larger than the forces after FAR_STEPS. */
+   residual is larger than the forces after FAR_STEPS. Not where a coarser mesh gave the initial states. */
 enum { STALLED_STEPS = 2, FAR_STEPS = 2 };
 
 #define FAILURE_FIXED_POINT                                                                                            \
@@ -50,8 +50,9 @@ static PetscErrorCode FrictionIterationMove_Private(SNES snes, FrictionMethod me
 /* Newton steps until the law holds. Collective. [in] start - initial guess */
 static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec start)
 {
-  const PetscInt begun = pdas->iterations;
-  PetscBool      moved = (PetscBool)(method->plain || pdas->fixed_point);
+  const PetscInt  begun = pdas->iterations;
+  const PetscBool warm  = (PetscBool)(pdas->coarser.slipping + pdas->coarser.sticking > 0);
+  PetscBool       moved = (PetscBool)(method->plain || pdas->fixed_point || warm);
 
   PetscFunctionBeginUser;
   PetscCall((*method->restart)(method));
