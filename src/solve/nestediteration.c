@@ -253,27 +253,6 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Moves y to the bounds of the initial set: types other than pdas see contact only at reached bounds. */
-static PetscErrorCode NestedIterationMoveToBounds_Private(const Operator *op, Vec active, Vec y)
-{
-  const PetscScalar *upper, *a;
-  PetscScalar       *values;
-  PetscInt           n;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecPointwiseMin(y, y, op->upper));
-  PetscCall(VecGetLocalSize(y, &n));
-  PetscCall(VecGetArrayRead(op->upper, &upper));
-  PetscCall(VecGetArrayRead(active, &a));
-  PetscCall(VecGetArray(y, &values));
-  for (PetscInt i = 0; i < n; i++)
-    if (PetscRealPart(a[i]) > 0) values[i] = upper[i];
-  PetscCall(VecRestoreArray(y, &values));
-  PetscCall(VecRestoreArrayRead(active, &a));
-  PetscCall(VecRestoreArrayRead(op->upper, &upper));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Prepares the system of a level, with a proximal term where only contact holds bodies. */
 static PetscErrorCode NestedIterationBeginLevel_Private(MeshLevels levels, PetscInt m, Solvability solvability,
                                                         Proximal *proximal)
@@ -309,6 +288,58 @@ static PetscErrorCode NestedIterationFindFirst_Private(MeshLevels levels, Solvab
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Moves y to the bounds of the initial set: types other than pdas see contact only at reached bounds. */
+static PetscErrorCode NestedIterationMoveToBounds_Private(const Operator *op, Vec active, Vec y)
+{
+  const PetscScalar *upper, *a;
+  PetscScalar       *values;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseMin(y, y, op->upper));
+  PetscCall(VecGetLocalSize(y, &n));
+  PetscCall(VecGetArrayRead(op->upper, &upper));
+  PetscCall(VecGetArrayRead(active, &a));
+  PetscCall(VecGetArray(y, &values));
+  for (PetscInt i = 0; i < n; i++)
+    if (PetscRealPart(a[i]) > 0) values[i] = upper[i];
+  PetscCall(VecRestoreArray(y, &values));
+  PetscCall(VecRestoreArrayRead(active, &a));
+  PetscCall(VecRestoreArrayRead(op->upper, &upper));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Predicts the set of a level. Blocks or other smoothers of their own have cycles alone. [in] pc - of
+   ActivePredictionApply(); [in] kept - of NestedIterationPredict(); [in,out] y, active */
+static PetscErrorCode NestedIterationAhead_Private(Hierarchy hierarchy, const HierarchyLevel *level, PC pc,
+                                                   PetscBool kept, Vec y, Vec active, PetscReal *energy_decrease)
+{
+  PetscFunctionBeginUser;
+  if (level->S && pc) {
+    *energy_decrease = 0;
+    PetscCall(NestedIterationMoveToBounds_Private(&level->op, active, y));
+    PetscCall(ActivePredictionBeyond(hierarchy, level, pc, kept, y, active));
+  } else {
+    PetscCall(ActivePredictionApply(hierarchy, level, pc, y, active, energy_decrease));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether cycles improve the set of the coarser level. In the plane contact has few ends, and that set mostly
+   stays. Over nearly incompressible bodies, and for stiff sides without blocks, cycles leave more to change
+   than before. */
+static PetscErrorCode NestedIterationNeedsCycles_Private(const HierarchyLevel *level, PC pc, PetscBool *cycles)
+{
+  PetscBool blocks;
+
+  PetscFunctionBeginUser;
+  *cycles = PETSC_TRUE;
+  if (!level->S) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MultigridSmoothsMore(pc, &blocks));
+  *cycles = (PetscBool)(level->op.dim == 3 && !level->op.tight && blocks);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The initial state of level m. [in] pc - of ActivePredictionApply(); [in] from - of the coarser level;
    [in,out] proximal - of level m; [out] to; [out] energy_decrease - of NestedIterationStart() */
 static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt m, PC pc, const State *from,
@@ -316,6 +347,7 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
 {
   const HierarchyLevel *level = &levels->hierarchy->level[levels->hierarchy->first + m];
   const PetscBool friction    = (PetscBool)(levels->vi[m]->friction != NULL); // whose cycles would let everything slide
+  PetscBool       cycles      = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   PetscCall(NestedIterationStateCreate_Private(level, to));
@@ -326,7 +358,10 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   to->friction = from->friction;
   PetscCall(MatMult(level->P, from->active, to->active));
   PetscCall(NestedIterationRound_Private(&level->op, friction, to->active));
-  if (!friction) PetscCall(ActivePredictionApply(levels->hierarchy, level, pc, to->y, to->active, energy_decrease));
+  if (friction) PetscFunctionReturn(PETSC_SUCCESS);
+  if (pc) PetscCall(NestedIterationNeedsCycles_Private(level, pc, &cycles));
+  PetscCall(NestedIterationAhead_Private(levels->hierarchy, level, cycles ? pc : NULL, PETSC_FALSE, to->y, to->active,
+                                         energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -431,9 +466,6 @@ PetscErrorCode NestedIterationPredict(MeshLevels levels, SNES snes, VI vi, Petsc
   if (!*found) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(NestedIterationMarkBounds_Private(&finest->op, y, active));
   PetscCall(NestedIterationMoveToBounds_Private(&finest->op, active, y));
-  if (finest->S)
-    PetscCall(ActivePredictionBeyond(hierarchy, finest, pc, kept, y, active));
-  else
-    PetscCall(ActivePredictionApply(hierarchy, finest, pc, y, active, &energy_decrease));
+  PetscCall(NestedIterationAhead_Private(hierarchy, finest, pc, kept, y, active, &energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
