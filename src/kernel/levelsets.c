@@ -108,7 +108,7 @@ static PetscErrorCode LevelSetBracketZero_Private(const LevelSetCell *cell, cons
 
   PetscFunctionBeginUser;
   for (PetscInt step = 0; step < MAX_ZERO_STEPS; step++) {
-    const PetscReal least = ZERO_ACCURACY / PetscMax(PetscAbsReal(b - a), PETSC_MIN_REAL);
+    const PetscReal least = a == b ? 1. : ZERO_ACCURACY / PetscAbsReal(b - a);
     PetscReal       xi, phi;
 
     if (least > 0.5) break;
@@ -292,7 +292,7 @@ static void FunctionTrendSet_Private(PetscInt dim, const LevelSetFunction *funct
         trend->score[k] = least / steepest;
     }
     if (trend->stays[k]) trend->score[k] = 1.;
-    trend->bend[k] /= PetscMax(steepest, PETSC_MIN_REAL);
+    if (steepest > 0.) trend->bend[k] /= steepest;
   }
 }
 

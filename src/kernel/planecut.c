@@ -148,7 +148,7 @@ static PetscReal PlaneNormal_Private(PetscInt dim, const PetscReal *const p[], P
   }
   for (PetscInt k = 0; k < dim; k++) length += PetscSqr(normal[k]);
   length = PetscSqrtReal(length);
-  for (PetscInt k = 0; k < dim; k++) normal[k] /= PetscMax(length, PETSC_MIN_REAL);
+  for (PetscInt k = 0; k < dim; k++) normal[k] /= length > 0. ? length : 1.;
   return length > CONFIRMED * (dim == 3 ? scale : PetscSqrtReal(scale)) ? length : 0.;
 }
 

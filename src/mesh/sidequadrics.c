@@ -354,8 +354,8 @@ static PetscErrorCode PatchSpread_Private(const Patch *patch, PetscReal quadric[
   for (PetscInt c = 0; c < num; c++) {
     PetscReal *own = &quadric[c * MONOMIALS], *sum = &sums[c * MONOMIALS];
 
-    if (VectorNorm(3, &own[LINEAR]) > 0 || patch->shape->ridge[c] != 0) continue;
-    for (PetscInt k = 0; k < MONOMIALS; k++) own[k] = sum[k] / PetscMax(VectorNorm(3, &sum[LINEAR]), PETSC_MIN_REAL);
+    if (VectorNorm(3, &own[LINEAR]) > 0 || VectorNorm(3, &sum[LINEAR]) == 0 || patch->shape->ridge[c] != 0) continue;
+    for (PetscInt k = 0; k < MONOMIALS; k++) own[k] = sum[k] / VectorNorm(3, &sum[LINEAR]);
   }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
