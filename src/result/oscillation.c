@@ -10,9 +10,9 @@
 #include "result/cellstress.h"
 
 enum {
-  F             = ELEMENT_MAX_FACET_NODES,
-  MAX_FUNCTIONS = 4, /* 1 and the reference coordinates */
-  MORE_DEGREES  = 5  /* of quadrature, above twice the order */
+  F            = ELEMENT_MAX_FACET_NODES,
+  N            = ELEMENT_MAX_NODES,
+  MORE_DEGREES = 5 /* of quadrature, above twice the order */
 };
 
 /* A vector at the points of a cell or facet. */
@@ -23,26 +23,30 @@ typedef struct {
   PetscReal   x[3], n[3]; /* a place, and there the normal of a facet */
 } Samples;
 
-/* The functions of the projection. Returns their number. */
-static PetscInt SamplesGetFunctions_Private(const Samples *samples, PetscInt q, PetscReal functions[])
+/* Values of polynomials below the order, or of all shape functions. Returns their number. */
+static PetscInt SamplesGetFunctions_Private(const Samples *samples, PetscBool all, PetscInt q, PetscReal functions[])
 {
   const PetscInt inner = ElementDim(samples->type);
 
+  if (all) {
+    ElementShape(samples->type, &samples->xi[q * inner], functions, NULL);
+    return ElementNumNodes(samples->type);
+  }
   functions[0] = 1;
   if (ElementOrder(samples->type) == 1) return 1;
   for (PetscInt k = 0; k < inner; k++) functions[k + 1] = samples->xi[q * inner + k];
   return inner + 1;
 }
 
-/* int |v - P v|^2. [out] largest - the difference where it is largest [dim] */
-static PetscReal SamplesGetOscillation_Private(const Samples *samples, PetscReal largest[])
+/* int |v - P v|^2 with the projection P onto such functions.
+   [out] largest - the difference where it is largest [dim] */
+static PetscReal SamplesProject_Private(const Samples *samples, PetscBool all, PetscReal largest[])
 {
-  PetscReal mass[MAX_FUNCTIONS * MAX_FUNCTIONS] = {0}, part[3][MAX_FUNCTIONS] = {{0}}, a[MAX_FUNCTIONS], sum = 0,
-                                 most = 0;
-  PetscInt n                          = 0;
+  PetscReal mass[N * N] = {0}, part[3][N] = {{0}}, a[N], sum = 0, most = 0;
+  PetscInt  n = 0;
 
   for (PetscInt q = 0; q < samples->num; q++) {
-    n = SamplesGetFunctions_Private(samples, q, a);
+    n = SamplesGetFunctions_Private(samples, all, q, a);
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt j = 0; j < n; j++) mass[i * n + j] += samples->weight[q] * a[i] * a[j];
       for (PetscInt k = 0; k < samples->dim; k++)
@@ -54,7 +58,7 @@ static PetscReal SamplesGetOscillation_Private(const Samples *samples, PetscReal
   for (PetscInt q = 0; q < samples->num; q++) {
     PetscReal v[3] = {0, 0, 0}, square = 0;
 
-    (void)SamplesGetFunctions_Private(samples, q, a);
+    (void)SamplesGetFunctions_Private(samples, all, q, a);
     for (PetscInt k = 0; k < samples->dim; k++) {
       v[k] = samples->value[q * samples->dim + k] - VectorDot(n, part[k], a);
       square += v[k] * v[k];
@@ -65,6 +69,18 @@ static PetscReal SamplesGetOscillation_Private(const Samples *samples, PetscReal
     for (PetscInt k = 0; k < samples->dim; k++) largest[k] = v[k] / PetscMax(PetscSqrtReal(square), PETSC_SMALL);
   }
   return sum;
+}
+
+/* int |v - P v|^2 with P onto polynomials below the order. u answers the part of it in shape functions. Of a
+   load on a rod h^2/60 (order 1) or h^2/140 is left, instead of (h/pi)^2.
+   [out] largest - as above */
+static PetscReal SamplesGetOscillation_Private(const Samples *samples, PetscReal largest[])
+{
+  const PetscReal left   = PetscSqr(PETSC_PI) / (ElementOrder(samples->type) == 1 ? 60 : 140);
+  const PetscReal all    = SamplesProject_Private(samples, PETSC_FALSE, largest);
+  const PetscReal unseen = PetscMin(all, SamplesProject_Private(samples, PETSC_TRUE, largest));
+
+  return unseen + left * (all - unseen);
 }
 
 /* Body forces. */
