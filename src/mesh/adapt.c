@@ -286,13 +286,15 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   MeshForest  forest = mesh->forest;
   ForestCell *before;
   PetscInt   *all;
-  PetscInt   *origin, cell = 0;
+  PetscInt   *origin, cell = 0, halvings = 0;
   Curves      curves;
   Level      *fine;
   DM          dm;
 
   PetscFunctionBeginUser;
   PetscCall(ForestGatherMarks_Private(forest, MeshFinest(mesh), marked, &all));
+  for (PetscInt c = 0; c < MeshFinest(mesh)->num_cells; c++) halvings = PetscMax(halvings, marked[c]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &halvings, 1, MPIU_INT, MPI_MAX, mesh->scene->comm));
   for (PetscInt b = 0; b < forest->num_bodies && all; b++) {
     const PetscInt num = forest->tree[b].mesh.num_cells;
 
@@ -308,6 +310,7 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   PetscCall(MeshForestMerge(mesh->scene, forest, &dm, &curves));
   PetscCall(PartitionDistribute(mesh->scene, 0, &dm, &curves, &origin));
   PetscCall(LevelCreateFromPlex(mesh->scene, dm, &curves, fine));
+  fine->halvings = halvings;
   PetscCall(MeshForestGather(forest, fine, origin));
   PetscCall(MeshForestSetHanging(forest, fine));
   PetscCall(MeshForestSetNormals(forest, fine));

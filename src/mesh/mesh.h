@@ -35,6 +35,7 @@ typedef struct {
   PetscInt  dim;
   PetscInt  num_cells, num_nodes, num_owned; /* local; num_nodes counts ghosts */
   PetscInt  node_begin, num_global;          /* first owned global node; global number of nodes */
+  PetscInt  halvings;                        /* most of an edge that MeshAdapt() made for this level; 0 on others */
   PetscInt *cell_start;                      /* [num_cells+1] into cell_nodes */
   PetscInt *cell_nodes;                      /* local nodes in the order of element.h, never inside out */
   PetscInt *cell_type;                       /* ElementType [num_cells], of the order of the cell's body */

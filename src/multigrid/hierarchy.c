@@ -6,6 +6,7 @@
 #include "multigrid/eigenvalue.h"
 #include "multigrid/hierarchy.h"
 #include "multigrid/patchsmoother.h"
+#include "multigrid/region.h"
 #include "multigrid/smoother.h"
 
 /* Unknowns from which the coarsest mesh gets levels below it instead of a factorization, in 2D and 3D;
@@ -19,10 +20,12 @@ PetscBool HierarchyIsLarge(PetscInt dim, PetscInt unknowns)
   return (PetscBool)(unknowns > (dim == 3 ? MAX_COARSEST_3D : MAX_COARSEST_2D));
 }
 
-/* The smoother of given level l. Without whole lines of long cells, blocks cost several times the rest and
-   gain little. Bisected cells form no lines of strong couplings. Two plates of cells 1 to 10 times as long as
-   wide take 1.3 times the iterations with the diagonal. Each costs a third to two thirds. */
-static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, PetscInt l, const Operator *op, Mat *S)
+/* The smoother of given level l. [in] blocks - whether the level below has one that is not the diagonal.
+   Without whole lines of long cells, blocks cost several times the rest and gain little. Bisected cells
+   form no lines of strong couplings. Two plates of cells 1 to 10 times as long as wide take 1.3 times the
+   iterations with the diagonal. Each costs a third to two thirds. */
+static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, PetscInt l, PetscBool blocks,
+                                                      const Operator *op, Mat *S)
 {
   PetscBool diagonal = PETSC_FALSE, round = (PetscBool)(input->parts && input->round);
 
@@ -31,7 +34,7 @@ static PetscErrorCode HierarchyCreateSmoother_Private(HierarchyInput *input, Pet
     PetscCall(PatchSmootherCreate(op, S));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  if (input->bisected && input->num > 1) {
+  if (op->halvings && !blocks) {
     PetscCall(SmootherDependsOnFinest(op, &diagonal));
     diagonal = (PetscBool)!diagonal;
   }
@@ -64,8 +67,11 @@ static PetscErrorCode HierarchyBeginLevel_Private(HierarchyInput *input, PetscIn
   PetscCall(MatCreateVecs(A, &level->diag, NULL));
   PetscCall(MatGetDiagonal(A, level->diag));
   level->nodes = (PetscBool)(l < 0);
+  level->part  = 1;
   if (coarsest) PetscFunctionReturn(PETSC_SUCCESS);
-  if (!level->nodes) PetscCall(HierarchyCreateSmoother_Private(input, l, &level->op, &level->S));
+  if (!level->nodes)
+    PetscCall(HierarchyCreateSmoother_Private(input, l, (PetscBool)(level->op.halvings && level[-1].S), &level->op,
+                                              &level->S));
   if (l > 0 && input->parts && HierarchyTellsLargest_Private(&level[-1]) && !level->S)
     level->largest = level[-1].largest;
   else
@@ -102,6 +108,14 @@ static PetscErrorCode HierarchyAddNodeLevels_Private(HierarchyInput *input, Hier
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What is smoothed on a level above the coarsest given one. Blocks and patches do not end at a region. */
+static PetscErrorCode HierarchySetRegion_Private(HierarchyLevel *level)
+{
+  PetscFunctionBeginUser;
+  if (level->op.halvings && !level->S) PetscCall(RegionCreate(level->P, level->weight, level->op.dim, &level->region));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The costs of products. */
 static PetscErrorCode HierarchySetShares_Private(Hierarchy h)
 {
@@ -133,6 +147,7 @@ PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
   for (PetscInt l = 1; l < input->num; l++) {
     PetscCall(HierarchyBeginLevel_Private(input, l, PETSC_FALSE, &given[l]));
     PetscCall(NodeLevelsSumSquares(given[l].P, NULL, &given[l].weight));
+    PetscCall(HierarchySetRegion_Private(&given[l]));
   }
   for (PetscInt l = 0; l < input->num; l++)
     PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers hold a reference if they need it
@@ -152,6 +167,7 @@ static PetscErrorCode HierarchyLevelDestroy_Private(HierarchyLevel *level)
   PetscCall(VecDestroy(&level->weight));
   PetscCall(VecDestroy(&level->diag));
   PetscCall(MatDestroy(&level->S));
+  PetscCall(VecDestroy(&level->region));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -163,6 +179,7 @@ static PetscErrorCode HierarchyRenewLevel_Private(HierarchyInput *input, Hierarc
   PetscCall(VecDestroy(&level->diag));
   PetscCall(MatDestroy(&level->S));
   PetscCall(HierarchyBeginLevel_Private(input, 0, PETSC_FALSE, level));
+  if (level->S) PetscCall(VecDestroy(&level->region));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -186,6 +203,7 @@ PetscErrorCode HierarchyExtend(Hierarchy h, PetscBool drop, PetscBool renew, con
   *top = (HierarchyLevel){.op = *op, .P = P};
   PetscCall(HierarchyBeginLevel_Private(&input, 1, PETSC_FALSE, top));
   PetscCall(NodeLevelsSumSquares(P, NULL, &top->weight));
+  PetscCall(HierarchySetRegion_Private(top));
   PetscCall(MatDestroy(&top->op.inverse));
   PetscCall(HierarchySetShares_Private(h));
   h->work        = 0;

@@ -17,6 +17,9 @@ typedef struct {
   Mat S;             /* the smoother's, or NULL where that is the diagonal */
   PetscReal largest; /* upper bound on the eigenvalues of S^-1 A; 0 on the coarsest */
   PetscReal share;   /* entries of A over those of the finest: the cost of a product */
+  Vec       region;  /* not 0 at nodes that are smoothed: with op.halvings those whose shape functions the next coarser
+                        level has not; NULL for all */
+  PetscReal part;    /* of the entries of A that op.S reads; 1, unless it is restricted to the region */
 } HierarchyLevel;
 
 typedef struct _n_Hierarchy {

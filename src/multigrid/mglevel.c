@@ -41,7 +41,8 @@ static PetscErrorCode MGLevelMultFixed_Private(const MGLevel *level, Vec x, Vec 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* y = A^ x for x that is 0 where fixed, but for the diagonal there */
+/* y = A^ x for x that is 0 where fixed, but for the diagonal there; within the region, or everywhere for x
+   that is 0 outside of it */
 static PetscErrorCode Mult_MGLevel(Mat A, Vec x, Vec y)
 {
   MGLevel *level;
@@ -52,7 +53,7 @@ static PetscErrorCode Mult_MGLevel(Mat A, Vec x, Vec y)
   if (level->base->op.cycle_Z) PetscCall(MatMultAdd(level->base->op.cycle_Z, x, y, y));
   if (level->W) PetscCall(MGLevelAddRegularization_Private(level->W, x, y));
   if (level->change) PetscCall(MatMultAdd(level->change, x, y, y));
-  level->hierarchy->work += level->base->share;
+  level->hierarchy->work += level->base->share * level->base->part;
   PetscCall(MGLevelMultFixed_Private(level, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -77,6 +78,28 @@ static PetscErrorCode GetDiagonal_MGLevel(Mat A, Vec diag)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &level));
   PetscCall(VecCopy(level->diag, diag));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The same to smooth with: infinite outside of the region, where nothing is to move. */
+static PetscErrorCode GetSmoothed_MGLevel(Mat A, Vec diag)
+{
+  MGLevel           *level;
+  const PetscScalar *in;
+  PetscScalar       *d;
+  PetscInt           n;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(A, &level));
+  PetscCall(VecCopy(level->diag, diag));
+  if (!level->base->region) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecGetLocalSize(diag, &n));
+  PetscCall(VecGetArrayRead(level->base->region, &in));
+  PetscCall(VecGetArray(diag, &d));
+  for (PetscInt i = 0; i < n; i++)
+    if (in[i] == 0) d[i] = PETSC_INFINITY;
+  PetscCall(VecRestoreArray(diag, &d));
+  PetscCall(VecRestoreArrayRead(level->base->region, &in));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -326,7 +349,7 @@ static PetscErrorCode MGLevelCreateShells_Private(MGLevel *level)
   PetscCall(MatGetLocalSize(level->base->P, &n, &coarse));
   PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->A));
   PetscCall(MatShellSetOperation(level->A, MATOP_MULT, (void (*)(void))Mult_MGLevel));
-  PetscCall(MatShellSetOperation(level->A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_MGLevel));
+  PetscCall(MatShellSetOperation(level->A, MATOP_GET_DIAGONAL, (void (*)(void))GetSmoothed_MGLevel));
   PetscCall(MatSetOption(level->A, MAT_SPD, PETSC_TRUE));
   PetscCall(MatCreateShell(comm, n, coarse, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->P));
   PetscCall(MatShellSetOperation(level->P, MATOP_MULT, (void (*)(void))Interpolate_MGLevel));

@@ -23,9 +23,10 @@ typedef struct {
   Mat       cycle_Z;                      /* the same for MatMultAdd() of a cycle, like S */
   PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */
   PetscInt num_constrained, *constrained; /* unknowns that are combinations of displacements; owned [num_constrained] */
-  PetscBool       *tight;  /* nodes of cells that nearly keep their volume; NULL without; owned [nodes of this rank] */
-  PetscBool        slips;  /* whether friction changes A, and not active unknowns alone */
-  PetscInt         dim;    /* unknowns of a node, and coordinates */
+  PetscBool       *tight; /* nodes of cells that nearly keep their volume; NULL without; owned [nodes of this rank] */
+  PetscBool        slips; /* whether friction changes A, and not active unknowns alone */
+  PetscInt         dim;   /* unknowns of a node, and coordinates */
+  PetscInt         halvings; /* of an edge from the next coarser level at most, where cells are bisected; else 0 */
   const PetscReal *coords; /* of this rank's nodes, then others'; borrowed [num][dim]; NULL on a level made of nodes */
 } Operator;
 

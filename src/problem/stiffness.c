@@ -25,15 +25,20 @@ typedef struct {
   Mat       K;
   PetscReal factor;
   float    *single; /* factor K of this rank, or NULL; blocks among ghosts are few */
+  PetscBool some;   /* whether products are those of some rows alone */
+  BlockRows rows;   /* these */
 } Scaled;
 
-/* y += factor V x for the blocks among ghosts. */
-static void StiffnessAddOthers_Private(const Stiffness *s, PetscReal factor, const PetscScalar x[], PetscScalar y[])
+/* y += factor V x for the blocks among ghosts. [in] rows - NULL for all */
+static void StiffnessAddOthers_Private(const Stiffness *s, const BlockRows *rows, PetscReal factor,
+                                       const PetscScalar x[], PetscScalar y[])
 {
-  const PetscInt     bs = s->bs;
-  const PetscScalar *v  = s->value;
+  const PetscInt bs = s->bs;
 
-  for (PetscInt i = 0; i < s->own.num; i++) {
+  for (PetscInt r = 0; r < (rows ? rows->num : s->own.num); r++) {
+    const PetscInt     i = rows ? rows->row[r] : r;
+    const PetscScalar *v = &s->value[(size_t)s->start[i] * (size_t)(bs * bs)];
+
     for (PetscInt j = s->start[i]; j < s->start[i + 1]; j++, v += bs * bs) {
       for (PetscInt k = 0; k < bs; k++)
         for (PetscInt l = 0; l < bs; l++) y[bs * i + k] += factor * v[bs * k + l] * x[bs * s->column[j] + l];
@@ -41,28 +46,31 @@ static void StiffnessAddOthers_Private(const Stiffness *s, PetscReal factor, con
   }
 }
 
-/* y = factor K x. [in] single - factor K of this rank in single precision, or NULL */
-static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, const float single[], Vec x, Vec y)
+/* y = factor K x. [in] scaled - how */
+static PetscErrorCode StiffnessMult_Private(const Scaled *scaled, Vec x, Vec y)
 {
+  const BlockRows   *rows = scaled->some ? &scaled->rows : NULL;
   Stiffness         *s;
   const PetscScalar *xa;
   PetscScalar       *ya;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(K, &s));
+  PetscCall(MatShellGetContext(scaled->K, &s));
   if (s->ghosts) PetscCall(VecScatterBegin(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArrayWrite(y, &ya));
-  if (single)
-    SymmetricBlocksMultSingle(&s->own, single, xa, ya);
+  if (rows)
+    SymmetricBlocksMultRows(&s->own, rows, scaled->factor, scaled->single, xa, ya);
+  else if (scaled->single)
+    SymmetricBlocksMultSingle(&s->own, scaled->single, xa, ya);
   else
-    SymmetricBlocksMult(&s->own, factor, xa, ya);
+    SymmetricBlocksMult(&s->own, scaled->factor, xa, ya);
   PetscCall(VecRestoreArrayRead(x, &xa));
   PetscCall(PetscLogFlops(2.0 * (s->own.start[s->own.num] + s->own.num) * s->bs * s->bs));
   if (s->ghosts) {
     PetscCall(VecScatterEnd(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
     PetscCall(VecGetArrayRead(s->ghosts, &xa));
-    StiffnessAddOthers_Private(s, factor, xa, ya);
+    StiffnessAddOthers_Private(s, rows, scaled->factor, xa, ya);
     PetscCall(VecRestoreArrayRead(s->ghosts, &xa));
     PetscCall(PetscLogFlops(2.0 * s->start[s->own.num] * s->bs * s->bs));
   }
@@ -73,7 +81,7 @@ static PetscErrorCode StiffnessMult_Private(Mat K, PetscReal factor, const float
 static PetscErrorCode MatMult_Stiffness(Mat K, Vec x, Vec y)
 {
   PetscFunctionBeginUser;
-  PetscCall(StiffnessMult_Private(K, 1, NULL, x, y));
+  PetscCall(StiffnessMult_Private(&(Scaled){.K = K, .factor = 1}, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -83,7 +91,7 @@ static PetscErrorCode MatMult_Scaled(Mat S, Vec x, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &scaled));
-  PetscCall(StiffnessMult_Private(scaled->K, scaled->factor, scaled->single, x, y));
+  PetscCall(StiffnessMult_Private(scaled, x, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -291,6 +299,7 @@ static PetscErrorCode MatDestroy_Scaled(Mat S)
   PetscCall(MatShellGetContext(S, &scaled));
   PetscCall(MatDestroy(&scaled->K));
   PetscCall(PetscFree(scaled->single));
+  PetscCall(PetscFree(scaled->rows.row));
   PetscCall(PetscFree(scaled));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -476,6 +485,61 @@ PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S)
   PetscCall(MatShellGetContext(*S, &scaled));
   PetscCall(MatShellGetContext(K, &s));
   PetscCall(SymmetricBlocksCreateSingle(&s->own, factor, &scaled->single));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a row is in a region or couples to it. [in] own, others - of unknowns of this rank and of ghosts */
+static PetscBool StiffnessMeets_Private(const Stiffness *s, PetscInt i, const PetscScalar own[],
+                                        const PetscScalar others[])
+{
+  for (PetscInt j = s->own.start[i]; j < s->own.start[i + 1]; j++)
+    if (own[s->bs * s->own.column[j]] != 0) return PETSC_TRUE;
+  for (PetscInt j = s->start ? s->start[i] : 0; j < (s->start ? s->start[i + 1] : 0); j++)
+    if (others[s->bs * s->column[j]] != 0) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+/* Lists the rows of a region and those that couple to it. [out] read - blocks that a product with them
+   reads */
+static PetscErrorCode StiffnessListRows_Private(Stiffness *s, Vec region, BlockRows *rows, PetscReal *read)
+{
+  const PetscScalar *own, *others = NULL;
+
+  PetscFunctionBeginUser;
+  if (s->ghosts) PetscCall(VecScatterBegin(s->scatter, region, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  if (s->ghosts) PetscCall(VecScatterEnd(s->scatter, region, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(region, &own));
+  if (s->ghosts) PetscCall(VecGetArrayRead(s->ghosts, &others));
+  PetscCall(PetscMalloc1(s->own.num, &rows->row));
+  for (PetscInt i = 0; i < s->own.num; i++) {
+    if (!StiffnessMeets_Private(s, i, own, others)) continue;
+    rows->row[rows->num++] = i;
+    *read += (PetscReal)(s->own.start[i + 1] - s->own.start[i] + (s->start ? s->start[i + 1] - s->start[i] : 0));
+  }
+  if (s->ghosts) PetscCall(VecRestoreArrayRead(s->ghosts, &others));
+  PetscCall(VecRestoreArrayRead(region, &own));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessRestrict(Mat S, Vec region, PetscReal *part)
+{
+  Scaled    *scaled;
+  Stiffness *s;
+  PetscReal  read = 0;
+  MatInfo    all;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(S, &scaled));
+  PetscCall(MatShellGetContext(scaled->K, &s));
+  PetscCall(PetscFree(scaled->rows.row));
+  scaled->rows.num = 0;
+  scaled->some     = (PetscBool)(region != NULL);
+  *part            = 1;
+  if (!region) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(StiffnessListRows_Private(s, region, &scaled->rows, &read));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &read, 1, MPIU_REAL, MPIU_SUM, PetscObjectComm((PetscObject)S)));
+  PetscCall(MatGetInfo(scaled->K, MAT_GLOBAL_SUM, &all));
+  *part = read * s->bs * s->bs / all.nz_used;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

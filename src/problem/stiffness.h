@@ -27,5 +27,9 @@ PetscErrorCode StiffnessGetBlocks(Mat K, const SymmetricBlocks **blocks, GhostBl
 PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S);
 /* The same with numbers in single precision, for a preconditioner. */
 PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S);
+/* Restricts products with S: from now on they are right in a region, and everywhere for vectors that are 0
+   outside of it. Collective. [in] region - not 0 at all unknowns of its nodes, 0 at others; or NULL for
+   all; [out] part - of the entries that a product reads */
+PetscErrorCode StiffnessRestrict(Mat S, Vec region, PetscReal *part);
 
 #endif

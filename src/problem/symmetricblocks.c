@@ -188,7 +188,14 @@ void SymmetricBlocksGetRow(const SymmetricBlocks *blocks, PetscInt i, PetscInt w
 typedef struct {
   const PetscScalar *fp64;
   const float       *fp32;
+  PetscInt           num;  /* rows that are multiplied */
+  const PetscInt    *rows; /* these, or NULL for the first ones [num] */
 } Numbers;
+
+static inline PetscInt NumbersRow_Private(const Numbers *numbers, PetscInt k)
+{
+  return numbers->rows ? numbers->rows[k] : k;
+}
 
 static inline PetscScalar NumbersGet_Private(Numbers numbers, size_t at)
 {
@@ -200,9 +207,10 @@ static inline void SymmetricBlocksAddProduct_Private(const PetscInt bs, const Sy
                                                      const Numbers numbers, PetscReal factor,
                                                      const PetscScalar *restrict x, PetscScalar *restrict y)
 {
-  for (PetscInt i = 0; i < blocks->num; i++) {
-    size_t      first = (size_t)blocks->first[i] * (size_t)(bs * bs);
-    PetscScalar xi[SYMMETRIC_BLOCKS_MAX], sum[SYMMETRIC_BLOCKS_MAX];
+  for (PetscInt r = 0; r < numbers.num; r++) {
+    const PetscInt i     = NumbersRow_Private(&numbers, r);
+    size_t         first = (size_t)blocks->first[i] * (size_t)(bs * bs);
+    PetscScalar    xi[SYMMETRIC_BLOCKS_MAX], sum[SYMMETRIC_BLOCKS_MAX];
 
     for (PetscInt k = 0; k < bs; k++) {
       sum[k] = 0;
@@ -251,10 +259,11 @@ WITH_AVX2_INLINE void SymmetricBlocksAddPlane_AVX2(const SymmetricBlocks *blocks
 {
   const __m128d factors = _mm_set1_pd(factor);
 
-  for (PetscInt i = 0; i < blocks->num; i++) {
-    size_t        at = 4 * (size_t)blocks->first[i];
-    const __m128d xi = _mm_loadu_pd(&x[2 * i]);
-    const __m256d times =
+  for (PetscInt r = 0; r < numbers.num; r++) {
+    const PetscInt i  = NumbersRow_Private(&numbers, r);
+    size_t         at = 4 * (size_t)blocks->first[i];
+    const __m128d  xi = _mm_loadu_pd(&x[2 * i]);
+    const __m256d  times =
         _mm256_set_m128d(_mm_mul_pd(factors, _mm_unpackhi_pd(xi, xi)), _mm_mul_pd(factors, _mm_unpacklo_pd(xi, xi)));
     __m256d rows = _mm256_mul_pd(NumbersLoad_AVX2(numbers, at), _mm256_set_m128d(xi, xi));
     __m128d sum;
@@ -279,7 +288,8 @@ WITH_AVX2_INLINE void SymmetricBlocksAddSpace_AVX2(const SymmetricBlocks *blocks
                                                    PetscReal factor, const PetscScalar *restrict x,
                                                    PetscScalar *restrict y)
 {
-  for (PetscInt i = 0; i < blocks->num; i++) {
+  for (PetscInt r = 0; r < numbers.num; r++) {
+    const PetscInt     i  = NumbersRow_Private(&numbers, r);
     size_t             at = 9 * (size_t)blocks->first[i];
     const PetscScalar *xi = &x[3 * i];
     __m256d            row[3], times[3], product;
@@ -311,22 +321,18 @@ WITH_AVX2_INLINE void SymmetricBlocksAddSpace_AVX2(const SymmetricBlocks *blocks
   }
 }
 
-WITH_AVX2 static void SymmetricBlocksAddDouble_AVX2(const SymmetricBlocks *blocks, PetscReal factor,
-                                                    const PetscScalar x[], PetscScalar y[])
+WITH_AVX2 static void SymmetricBlocksAddDouble_AVX2(const SymmetricBlocks *blocks, const Numbers numbers,
+                                                    PetscReal factor, const PetscScalar x[], PetscScalar y[])
 {
-  const Numbers numbers = {.fp64 = blocks->value};
-
   if (blocks->bs == 2)
     SymmetricBlocksAddPlane_AVX2(blocks, numbers, factor, x, y);
   else
     SymmetricBlocksAddSpace_AVX2(blocks, numbers, factor, x, y);
 }
 
-WITH_AVX2 static void SymmetricBlocksAddSingle_AVX2(const SymmetricBlocks *blocks, const float single[],
+WITH_AVX2 static void SymmetricBlocksAddSingle_AVX2(const SymmetricBlocks *blocks, const Numbers numbers,
                                                     const PetscScalar x[], PetscScalar y[])
 {
-  const Numbers numbers = {.fp32 = single};
-
   if (blocks->bs == 2)
     SymmetricBlocksAddPlane_AVX2(blocks, numbers, 1, x, y);
   else
@@ -352,14 +358,14 @@ void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor
                                  PetscScalar y[])
 {
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksMult_Private(blocks, (Numbers){.fp64 = blocks->value}, factor, x, y);
+  SymmetricBlocksMult_Private(blocks, (Numbers){.fp64 = blocks->value, .num = blocks->num}, factor, x, y);
 }
 
 void SymmetricBlocksMultSinglePortably(const SymmetricBlocks *blocks, const float single[], const PetscScalar x[],
                                        PetscScalar y[])
 {
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksMult_Private(blocks, (Numbers){.fp32 = single}, 1, x, y);
+  SymmetricBlocksMult_Private(blocks, (Numbers){.fp32 = single, .num = blocks->num}, 1, x, y);
 }
 
 void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[], PetscScalar y[])
@@ -369,7 +375,7 @@ void SymmetricBlocksMult(const SymmetricBlocks *blocks, PetscReal factor, const 
     return;
   }
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksAddDouble_AVX2(blocks, factor, x, y);
+  SymmetricBlocksAddDouble_AVX2(blocks, (Numbers){.fp64 = blocks->value, .num = blocks->num}, factor, x, y);
 }
 
 PetscErrorCode SymmetricBlocksCreateSingle(const SymmetricBlocks *blocks, PetscReal factor, float **single)
@@ -391,5 +397,19 @@ void SymmetricBlocksMultSingle(const SymmetricBlocks *blocks, const float single
     return;
   }
   SymmetricBlocksClear_Private(blocks, y);
-  SymmetricBlocksAddSingle_AVX2(blocks, single, x, y);
+  SymmetricBlocksAddSingle_AVX2(blocks, (Numbers){.fp32 = single, .num = blocks->num}, x, y);
+}
+
+void SymmetricBlocksMultRows(const SymmetricBlocks *blocks, const BlockRows *rows, PetscReal factor,
+                             const float single[], const PetscScalar x[], PetscScalar y[])
+{
+  const Numbers numbers = {.fp64 = single ? NULL : blocks->value, .fp32 = single, .num = rows->num, .rows = rows->row};
+
+  SymmetricBlocksClear_Private(blocks, y);
+  if (!SymmetricBlocksHasAVX2_Private())
+    SymmetricBlocksMult_Private(blocks, numbers, single ? 1 : factor, x, y);
+  else if (single)
+    SymmetricBlocksAddSingle_AVX2(blocks, numbers, x, y);
+  else
+    SymmetricBlocksAddDouble_AVX2(blocks, numbers, factor, x, y);
 }

@@ -17,6 +17,11 @@ typedef struct {
   PetscScalar *value;          /* [num_values][bs][bs] */
 } SymmetricBlocks;
 
+/* Some of the rows, ascending. */
+typedef struct {
+  PetscInt num, *row; /* [num] */
+} BlockRows;
+
 /* Creates a matrix of zeros. Not collective.
    [in] start, column - blocks of every row, on both sides of the diagonal, ascending; owned by blocks from
    now on
@@ -46,6 +51,11 @@ PetscErrorCode SymmetricBlocksCreateSingle(const SymmetricBlocks *blocks, PetscR
 /* y = (factor V) x, of these numbers, in double precision. Not collective. [in] x, [out] y - [num][bs] */
 void SymmetricBlocksMultSingle(const SymmetricBlocks *blocks, const float single[], const PetscScalar x[],
                                PetscScalar y[]);
+/* The same of some rows: each with its blocks on and right of the diagonal, and these transposed. y is V x
+   where all blocks of a row that meet an x which is not zero are in these rows or columns. Not collective.
+   [in] single - as above, already times factor; or NULL */
+void SymmetricBlocksMultRows(const SymmetricBlocks *blocks, const BlockRows *rows, PetscReal factor,
+                             const float single[], const PetscScalar x[], PetscScalar y[]);
 /* The same products without AVX2: for the unit test. */
 void SymmetricBlocksMultPortably(const SymmetricBlocks *blocks, PetscReal factor, const PetscScalar x[],
                                  PetscScalar y[]);

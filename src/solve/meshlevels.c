@@ -63,20 +63,29 @@ static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adapted meshes grow slowly, and cycles do not need all of them. A level is used if it has LEVEL_GROWTH
-   times the nodes of the last used one, or is LEVEL_LEAP levels above it. Two plates, order 2, 17 meshes from
-   2 x 2 quads: 8 to 9 iterations with all levels, 10 to 12 at three quarters of the cost with these; uniform
-   meshes 10. From 8 x 8 quads, which grow slower: 10 to 12 iterations; 11 to 16 if two levels in a row may be
-   omitted, 19 if three. */
+/* Adapted meshes grow slowly, and cycles do not need all of them. A level is omitted under two conditions.
+   It has less than LEVEL_GROWTH times the nodes of the last used one. From there to the next level edges
+   are halved no more than LEVEL_HALVINGS times. */
 static const PetscReal LEVEL_GROWTH = 2;
-enum { LEVEL_LEAP = 2 };
+enum { LEVEL_HALVINGS = 2 };
+
+/* The most halvings of an edge from one level of the mesh to another, if they follow each other in one
+   place. */
+static PetscInt MeshLevelsGetHalvings_Private(Mesh mesh, PetscInt from, PetscInt to)
+{
+  PetscInt halvings = 0;
+
+  for (PetscInt l = from + 1; l <= to; l++) halvings += mesh->levels[l].halvings;
+  return halvings;
+}
 
 /* Whether a level of the mesh is used between others. [in] last - the last one below it that is */
 static PetscBool MeshLevelsUses_Private(Mesh mesh, PetscInt last, PetscInt l)
 {
   const PetscReal nodes = (PetscReal)mesh->levels[l].num_global, before = (PetscReal)mesh->levels[last].num_global;
 
-  return (PetscBool)(!mesh->forest || l - last >= LEVEL_LEAP || nodes >= LEVEL_GROWTH * before);
+  return (PetscBool)(!mesh->forest || nodes >= LEVEL_GROWTH * before ||
+                     MeshLevelsGetHalvings_Private(mesh, last, l + 1) > LEVEL_HALVINGS);
 }
 
 /* Which levels of the mesh are used. */
@@ -383,6 +392,18 @@ static PetscBool MeshLevelsKeepModuli_Private(Scene scene)
   return keep;
 }
 
+/* Restricts products of cycles to the regions of levels. [in] from - the first level to be restricted */
+static PetscErrorCode MeshLevelsRestrictProducts_Private(MeshLevels levels, PetscInt from)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt l = from; l < levels->num; l++) {
+    HierarchyLevel *level = &levels->hierarchy->level[levels->hierarchy->first + l];
+
+    if (level->region || level->part < 1) PetscCall(StiffnessRestrict(level->op.S, level->region, &level->part));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Multigrid on inequalities that are known but for the coarser levels that NULL stands for. */
 static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequality *finest, Vec W)
 {
@@ -400,6 +421,7 @@ static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequalit
 
     PetscCall(MeshLevelsCreateOperator(l + 1 < num ? &own : finest, l + 1 < num ? NULL : W, &input.op[l]));
     if (!l) continue;
+    input.op[l].halvings = MeshLevelsGetHalvings_Private(vi->mesh, levels->of[l - 1], levels->of[l]);
     PetscCall(VecDestroy(&levels->lift[l]));
     if (!input.P[l]) PetscCall(MeshLevelsCreateDisplacements_Private(levels, l, PETSC_FALSE, &input.P[l]));
     PetscCall(
@@ -408,6 +430,7 @@ static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequalit
   PetscCall(MeshLevelsInspectCells_Private(levels->vi[0]->level, num, &higher, &input.lines));
   if (input.below && higher) PetscCall(MeshLevelsCreateTable_Private(levels->vi[0]->level, &input.table));
   PetscCall(HierarchyCreate(&input, &levels->hierarchy));
+  PetscCall(MeshLevelsRestrictProducts_Private(levels, 1));
   PetscCall(PetscFree2(input.op, input.P));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -484,9 +507,11 @@ static PetscErrorCode MeshLevelsExtend_Private(MeshLevels levels, const Inequali
                                     &(Inequality){.vi = next, .A = next->A, .b = next->b, .upper = next->upper}, NULL));
   op[0] = levels->hierarchy->level[levels->hierarchy->first + levels->num - 2].op;
   PetscCall(MeshLevelsCreateOperator(finest, W, &op[1]));
+  op[1].halvings = MeshLevelsGetHalvings_Private(mesh, levels->of[levels->num - 2], levels->of[levels->num - 1]);
   PetscCall(MeshLevelsCreateDisplacements_Private(levels, levels->num - 1, PETSC_FALSE, &P));
   PetscCall(MeshLevelsCreateProlongation_Private(next, finest->vi, op, &P, &levels->lift[levels->num - 1]));
   PetscCall(HierarchyExtend(levels->hierarchy, drop, renew, &op[1], P));
+  PetscCall(MeshLevelsRestrictProducts_Private(levels, PetscMax(levels->num - 2, 1)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -103,6 +103,11 @@ mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates
   -lower_dm_plex_box_lower 1000,-1 -lower_dm_plex_box_upper 1001,0 -probe_corner_at 1001,0 -probe_middle_at 1000.5,0.3)
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+# Iterations of one system with levels that are meshes of a file.
+set(cycles OWN_RUNS CHECK cycles.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 1e-7 -pc_type truncatedmg -measure_linear)
+mortise_scene_test(cycles_gears SCENE gears ${cycles} -adapt_max_meshes 5)
+mortise_scene_test(cycles_discs SCENE half_discs ${cycles} -adapt_max_meshes 3)
+mortise_scene_test(cycles_long SCENE hertz2d ${cycles} -adapt_max_meshes 2 -block_young 210000)
 # Interrupted, it leaves the files of a mesh and a sentence.
 mortise_scene_test(interrupted SCENE two_plates CHECK interrupted_meshes.py RANKS 1 LONG_RANKS 2 ONLY_RANKS "those of a signal" ARGS ${plates} -adapt 2e-2)
 # Memory.
