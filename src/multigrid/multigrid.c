@@ -36,8 +36,8 @@ enum { SMOOTHING_STEPS_CELLS = 5 };
 static const PetscReal SMOOTHED_FROM_CELLS = 0.02;
 /* The same on levels of bisected cells, where edges are halved once, and more often. One step more on each
    coarser level gains nothing there. */
-enum { SMOOTHING_STEPS_HALVED = 3, SMOOTHING_STEPS_QUARTERED = 5 };
-static const PetscReal SMOOTHED_FROM_QUARTERED = 0.04;
+enum { SMOOTHING_STEPS_HALVED = 3, SMOOTHING_STEPS_QUARTERED = 6 };
+static const PetscReal SMOOTHED_FROM_QUARTERED = 0.025;
 /* Factor that shortens steps after an indefinite cycle. In one scene ten steps of CG found 2.21 for the
    largest eigenvalue 2.65. With a margin of a tenth, three Chebyshev steps amplify errors there, as they do
    beyond 1.07 times their upper end. */
