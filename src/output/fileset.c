@@ -256,6 +256,16 @@ static PetscBool FileSetIsSpecialFile_Private(const char path[])
   return stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode) ? PETSC_TRUE : PETSC_FALSE;
 }
 
+/* Whether a file that is to be removed is also written. The new one then replaces it: it is never missing. */
+static PetscBool FileSetIsReplaced_Private(const FileSet *files, PetscInt removed)
+{
+  PetscBool replaced = PETSC_FALSE;
+
+  for (PetscInt i = 0; i < files->num && !replaced; i++)
+    replaced = (PetscBool)(files->temporary[i] && !strcmp(files->final[i], files->final[removed]));
+  return replaced;
+}
+
 /* Gives all files their names, the mark last. */
 static PetscErrorCode FileSetRename_Private(FileSet *files)
 {
@@ -277,6 +287,7 @@ static PetscErrorCode FileSetRename_Private(FileSet *files)
   }
   for (PetscInt i = 0; i < files->num && !files->failure[0]; i++) {
     if (!files->temporary[i]) {
+      if (FileSetIsReplaced_Private(files, i)) continue;
       if (stat(files->final[i], &info) || S_ISREG(info.st_mode)) // a folder of that name is no file of an earlier run
         PetscCall(FileSetRemoveFile_Private(files, files->final[i]));
     } else if (rename(files->temporary[i], files->final[i]))

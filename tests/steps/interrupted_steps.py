@@ -12,9 +12,17 @@ from judge import NAME, TIMEOUT, read_table, require, same
 ENOUGH = 3  # finished steps after which the signal is sent
 
 
-def finished(folder):
-    path = folder / f"{NAME}_steps.csv"
-    return path.read_text().count("\n") - 1 if path.exists() else 0
+def wait_for_steps(process, table):
+    """Until enough steps are finished. Once it is there, their table is never missing: the next one replaces it."""
+    limit, steps = time.monotonic() + TIMEOUT / 4, 0
+    while time.monotonic() < limit and process.poll() is None and steps < ENOUGH:
+        look = time.monotonic() + 0.01
+        while steps and time.monotonic() < look:
+            require(table.exists(), "the table of steps was missing for a while")
+        if table.exists():
+            steps = table.read_text().count("\n") - 1
+        else:
+            time.sleep(0.01)
 
 
 def judge(run):
@@ -22,9 +30,11 @@ def judge(run):
         folder = run.folder / signal.Signals(number).name
         folder.mkdir()
         process = subprocess.Popen(run.command + ["-load_steps", "3000"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        limit = time.monotonic() + TIMEOUT / 4
-        while time.monotonic() < limit and process.poll() is None and finished(folder) < ENOUGH:
-            time.sleep(0.01)
+        try:
+            wait_for_steps(process, folder / f"{NAME}_steps.csv")
+        except BaseException:
+            process.kill()
+            raise
         process.send_signal(number)
         _, stderr = process.communicate(timeout=TIMEOUT / 4)
         if run.ranks == 1:
