@@ -37,10 +37,10 @@ typedef struct {
   PetscInt         count;     /* evaluations that it took */
 } Cubature;
 
-/* The integrals by a product of equal rules on each of the pieces. CubatureGauss(): Gauss-Legendre with num
-   points, exact to degree 2 num - 1 in each coordinate. CubatureLobatto(): Gauss-Lobatto with 5 points, exact
-   to degree 7. Points of the latter reach the vertices of the reference cell, less the inset. On simplices
-   both are exact to one degree less in the plane and two less in space. Not collective.
+/* The integrals by a product of equal rules. CubatureGauss(): Gauss-Legendre with num points on each line,
+   exact to degree 2 num - 1 in each coordinate. CubatureLobatto(): Gauss-Lobatto with 5 points on each of the
+   pieces, exact to degree 7. Points of the latter reach the vertices of the reference cell, less the inset.
+   On simplices both are exact to one degree less in the plane and two less in space. Not collective.
    [in] num - up to CUBATURE_MAX_GAUSS; [out] value - [size] */
 PetscErrorCode CubatureGauss(Cubature *cubature, PetscInt num, PetscReal value[]);
 PetscErrorCode CubatureLobatto(Cubature *cubature, PetscReal value[]);

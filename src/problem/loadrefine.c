@@ -8,9 +8,10 @@
 #include "problem/loadterm.h"
 
 enum {
-  MAX_DIM      = 3,
-  FINER_POINTS = 5,        /* points along each coordinate of the third rule, after the two that are compared */
-  REGULAR_WORK = 20000000, /* evaluations that all elements of a term may take together */
+  MAX_DIM       = 3,
+  COARSE_POINTS = 3,        /* points along each coordinate of a rule whose error is compared */
+  FINER_POINTS  = 5,        /* the same of the third rule, after the two that are compared */
+  REGULAR_WORK  = 20000000, /* evaluations that all elements of a term may take together */
   SWITCHED_WORK =
       60000000, /* the same where the place of a jump is known: most of these evaluate a part of the formula alone */
   LARGEST_WORK = 3000000, /* of one of them */
@@ -109,19 +110,97 @@ static void LoadRefineGetDifference_Private(PetscInt n, PetscInt dim, const Pets
   for (PetscInt i = 0; i < n; i++) miss[i % dim] = PetscMax(miss[i % dim], PetscAbsReal(a[i] - b[i]));
 }
 
-PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const PetscReal fe[])
+/* The load on an element in a component; on all of them of a pressure. */
+static PetscReal LoadRefineGetOwn_Private(const LoadTerm *term, PetscInt e, PetscInt component)
+{
+  PetscReal sum = 0.;
+
+  if (!term->pressure) return term->own[e * term->dim + component];
+  for (PetscInt k = 0; k < term->dim; k++) sum += term->own[e * term->dim + k];
+  return sum;
+}
+
+/* Permitted errors of an element. [in] measure - or NULL: then by the element alone;
+   [out] tolerance - [dim] */
+static void LoadRefineGetTolerance_Private(const LoadTerm *term, const Measure *measure, PetscInt e,
+                                           PetscReal tolerance[])
+{
+  PetscReal largest = 0.;
+
+  for (PetscInt k = 0; k < term->dim; k++) largest = PetscMax(largest, LoadRefineGetOwn_Private(term, e, k));
+  for (PetscInt k = 0; k < term->dim; k++)
+    tolerance[k] = ACCURACY * PetscMax(LoadRefineGetOwn_Private(term, e, k),
+                                       measure ? measure->scale[k] / measure->num : NEGLIGIBLE * largest);
+}
+
+/* Whether two rules differ by more than the permitted error of loads. [in] miss - [dim] */
+static PetscBool LoadRefineDiffers_Private(const LoadTerm *term, const Measure *measure, PetscInt e,
+                                           const PetscReal miss[])
+{
+  PetscReal tolerance[MAX_DIM];
+
+  LoadRefineGetTolerance_Private(term, measure, e, tolerance);
+  for (PetscInt k = 0; k < term->dim; k++)
+    if (miss[k] > tolerance[k]) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+/* Whether errors fall in proportion from rule to rule, so that the last one is within the tolerance. Those of
+   smooth functions fall faster still.
+   [in] first, second - errors of two rules [dim] */
+static PetscBool LoadRefineIsWithin_Private(PetscInt dim, const PetscReal tolerance[], const PetscReal first[],
+                                            const PetscReal second[])
+{
+  for (PetscInt k = 0; k < dim; k++) {
+    if (second[k] <= tolerance[k]) continue;
+    if (!(second[k] <= FALLING * first[k] && PetscSqr(second[k]) <= tolerance[k] * first[k])) return PETSC_FALSE;
+  }
+  return PETSC_TRUE;
+}
+
+/* Looks for a rule for a smooth function. Errors of 3 points, of Lobatto's 5 and of Gauss's 5 are of order 6,
+   8 and 10 in the element's size, those of 3, 5 and 7 points of order 6, 10 and 14. Lobatto's on pieces are
+   smaller than those of Gauss's 5 points, and in no such proportion.
+   [in] other - the integrals by Lobatto's rule; [out] fe - by the one that is found; [out] points - of it, 0
+   for none */
+static PetscErrorCode LoadRefineFindRule_Private(Cubature *cubature, PetscInt dim, const PetscReal tolerance[],
+                                                 const PetscReal other[], PetscReal fe[], PetscInt *points)
+{
+  PetscReal coarse[CUBATURE_MAX_SIZE], before[CUBATURE_MAX_SIZE], first[MAX_DIM], second[MAX_DIM];
+
+  PetscFunctionBeginUser;
+  PetscCall(CubatureGauss(cubature, COARSE_POINTS, coarse));
+  PetscCall(PetscArraycpy(before, other, cubature->size));
+  for (*points = FINER_POINTS; *points < CUBATURE_MAX_GAUSS; *points += 2) {
+    PetscCall(CubatureGauss(cubature, *points, fe));
+    LoadRefineGetDifference_Private(cubature->size, dim, coarse, fe, first);
+    LoadRefineGetDifference_Private(cubature->size, dim, before, fe, second);
+    if (*points == FINER_POINTS && cubature->pieces > 1) PetscCall(PetscArrayzero(first, dim));
+    if (LoadRefineIsWithin_Private(dim, tolerance, first, second)) PetscFunctionReturn(PETSC_SUCCESS);
+    PetscCall(PetscArraycpy(before, fe, cubature->size));
+  }
+  *points = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, PetscReal fe[])
 {
   const LoadTerm *term     = element->term;
   const PetscInt  dim      = term->dim;
   Cubature        cubature = LoadRefineGetCubature_Private(element, PIECES[ElementDim(element->type)]);
-  PetscReal      *own = &term->own[e * dim], other[CUBATURE_MAX_SIZE], sums[2][MAX_DIM] = {{0.}};
+  PetscReal      *own = &term->own[e * dim], *miss = &term->miss[e * dim], sums[2][MAX_DIM] = {{0.}};
+  PetscReal       other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], tolerance[MAX_DIM];
 
   PetscFunctionBeginUser;
   PetscCall(CubatureLobatto(&cubature, other));
   LoadElementSums(element, fe, sums[0]);
   LoadElementSums(element, other, sums[1]);
   for (PetscInt k = 0; k < dim; k++) own[k] = PetscMax(sums[0][k], sums[1][k]);
-  LoadRefineGetDifference_Private(cubature.size, dim, fe, other, &term->miss[e * dim]);
+  LoadRefineGetDifference_Private(cubature.size, dim, fe, other, miss);
+  if (!LoadRefineDiffers_Private(term, NULL, e, miss)) PetscFunctionReturn(PETSC_SUCCESS);
+  LoadRefineGetTolerance_Private(term, NULL, e, tolerance);
+  PetscCall(LoadRefineFindRule_Private(&cubature, dim, tolerance, other, finer, &term->points[e]));
+  if (term->points[e]) PetscCall(PetscArraycpy(fe, finer, cubature.size));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -142,35 +221,14 @@ static PetscErrorCode LoadRefineMeasureTerms_Private(MPI_Comm comm, PetscInt num
   for (PetscInt i = 0; i < num; i++) {
     for (PetscInt k = 0; k < MAX_DIM; k++) largest = PetscMax(largest, sums[i * COLUMNS + k]);
   }
+  if (largest == 0.) largest = 1.; // no load: tolerances are positive nevertheless
   for (PetscInt i = 0; i < num; i++) {
     for (PetscInt k = 0; k < MAX_DIM; k++)
-      measures[i].scale[k] =
-          PetscMax(PetscMax(sums[i * COLUMNS + (terms[i].pressure ? 0 : k)], NEGLIGIBLE * largest), PETSC_MIN_REAL);
+      measures[i].scale[k] = PetscMax(sums[i * COLUMNS + (terms[i].pressure ? 0 : k)], NEGLIGIBLE * largest);
     measures[i].num = PetscMax(sums[i * COLUMNS + MAX_DIM], 1.);
   }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The load on an element in a component; on all of them of a pressure. */
-static PetscReal LoadRefineGetOwn_Private(const LoadTerm *term, PetscInt e, PetscInt component)
-{
-  PetscReal sum = 0.;
-
-  if (!term->pressure) return term->own[e * term->dim + component];
-  for (PetscInt k = 0; k < term->dim; k++) sum += term->own[e * term->dim + k];
-  return sum;
-}
-
-/* Whether two rules differ by more than the permitted error of loads. [in] miss - [dim] */
-static PetscBool LoadRefineDiffers_Private(const LoadTerm *term, const Measure *measure, PetscInt e,
-                                           const PetscReal miss[])
-{
-  for (PetscInt k = 0; k < term->dim; k++) {
-    if (miss[k] > ACCURACY * PetscMax(LoadRefineGetOwn_Private(term, e, k), measure->scale[k] / measure->num))
-      return PETSC_TRUE;
-  }
-  return PETSC_FALSE;
 }
 
 static PetscReal LoadRefineGetLargest_Private(PetscInt dim, const PetscReal miss[])
@@ -213,43 +271,70 @@ static PetscErrorCode LoadRefineFallsWithin_Private(Cubature *cubature, const Lo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Finds elements where the formula is not smooth. Where it is smooth but the rule for loads is too coarse,
-   takes a finer rule.
-   [out] pieces - initial number, 0 where nothing is left to do [term->num]; [in,out] fa - [num_nodes][dim] */
-static PetscErrorCode LoadRefineFindRough_Private(const LoadTerm *term, const Measure *measure, PetscInt pieces[],
-                                                  PetscScalar fa[])
+/* The integrals over element e by the rule that was taken for it. */
+static PetscErrorCode LoadRefineGetTaken_Private(const LoadElement *element, PetscInt e, PetscReal fe[])
 {
-  PetscReal   fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], finest[CUBATURE_MAX_SIZE];
-  PetscReal   miss[MAX_DIM];
+  Cubature cubature = LoadRefineGetCubature_Private(element, PIECES[ElementDim(element->type)]);
+
+  PetscFunctionBeginUser;
+  if (element->term->points[e])
+    PetscCall(CubatureGauss(&cubature, element->term->points[e], fe));
+  else
+    PetscCall(LoadElementIntegrate(element, fe));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes a finer rule for an element where the formula is smooth.
+   [in,out] fa - [num_nodes][dim]; [out] smooth */
+static PetscErrorCode LoadRefineTakeFiner_Private(LoadTerm *term, const Measure *measure, PetscInt e, PetscScalar fa[],
+                                                  PetscBool *smooth)
+{
+  PetscReal   fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], finer[CUBATURE_MAX_SIZE], tolerance[MAX_DIM];
+  PetscInt    points;
   LoadElement element;
   Cubature    cubature;
 
   PetscFunctionBeginUser;
+  LoadElementSet(term, e, &element);
+  cubature = LoadRefineGetCubature_Private(&element, PIECES[ElementDim(element.type)]);
+  PetscCall(CubatureLobatto(&cubature, other));
+  LoadRefineGetTolerance_Private(term, measure, e, tolerance);
+  PetscCall(LoadRefineFindRule_Private(&cubature, term->dim, tolerance, other, finer, &points));
+  *smooth = (PetscBool)(points > 0);
+  if (!points) {
+    points = CUBATURE_MAX_GAUSS;
+    PetscCall(LoadRefineFallsWithin_Private(&cubature, term, measure, e, other, finer, smooth));
+  }
+  if (!*smooth) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(LoadRefineGetTaken_Private(&element, e, fe));
+  LoadElementAdd(&element, -1., fe, fa);
+  LoadElementAdd(&element, 1., finer, fa);
+  term->points[e] = points;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Finds elements where the formula is not smooth. Where it is smooth but the rule for loads is too coarse,
+   takes a finer rule.
+   [out] pieces - initial number, 0 where nothing is left to do [term->num]; [in,out] fa - [num_nodes][dim] */
+static PetscErrorCode LoadRefineFindRough_Private(LoadTerm *term, const Measure *measure, PetscInt pieces[],
+                                                  PetscScalar fa[])
+{
+  PetscFunctionBeginUser;
   for (PetscInt e = 0; e < term->num; e++) {
-    PetscBool jumps = PETSC_FALSE;
+    const PetscInt dim   = ElementDim(term->type[e]);
+    PetscBool      jumps = PETSC_FALSE, smooth = PETSC_TRUE;
 
-    pieces[e] = 0;
-    LoadElementSet(term, e, &element);
-    cubature = LoadRefineGetCubature_Private(&element, PIECES[ElementDim(element.type)]);
-    if (term->switches) PetscCall(CubatureMayJump(&cubature, &jumps));
-    if (jumps) pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
-    if (jumps || !LoadRefineDiffers_Private(term, measure, e, &term->miss[e * term->dim])) continue;
-    PetscCall(CubatureLobatto(&cubature, other));
-    PetscCall(CubatureGauss(&cubature, FINER_POINTS, finer));
-    LoadRefineGetDifference_Private(cubature.size, term->dim, other, finer, miss);
-    if (LoadRefineDiffers_Private(term, measure, e, miss)) {
-      PetscBool falls = PETSC_FALSE;
+    if (term->switches) {
+      LoadElement element;
+      Cubature    cubature;
 
-      PetscCall(LoadRefineFallsWithin_Private(&cubature, term, measure, e, other, finest, &falls));
-      if (!falls) {
-        pieces[e] = ROUGH_PIECES[ElementDim(element.type)];
-        continue;
-      }
-      PetscCall(PetscArraycpy(finer, finest, cubature.size));
+      LoadElementSet(term, e, &element);
+      cubature = LoadRefineGetCubature_Private(&element, PIECES[dim]);
+      PetscCall(CubatureMayJump(&cubature, &jumps));
     }
-    PetscCall(LoadElementIntegrate(&element, fe));
-    LoadElementAdd(&element, -1., fe, fa);
-    LoadElementAdd(&element, 1., finer, fa);
+    if (!jumps && !term->points[e] && LoadRefineDiffers_Private(term, measure, e, &term->miss[e * term->dim]))
+      PetscCall(LoadRefineTakeFiner_Private(term, measure, e, fa, &smooth));
+    pieces[e] = jumps || !smooth ? ROUGH_PIECES[dim] : 0;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -285,7 +370,7 @@ static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, con
     if (pieces[e] || !near) continue;
     LoadElementSet(term, e, &element);
     cubature = LoadRefineGetCubature_Private(&element, NEIGHBOUR_PIECES[ElementDim(element.type)]);
-    PetscCall(LoadElementIntegrate(&element, fe));
+    PetscCall(LoadRefineGetTaken_Private(&element, e, fe));
     PetscCall(CubatureLobatto(&cubature, other));
     LoadRefineGetDifference_Private(cubature.size, term->dim, fe, other, miss);
     if (LoadRefineDiffers_Private(term, measure, e, miss)) pieces[e] = cubature.pieces;
@@ -363,7 +448,7 @@ static PetscErrorCode LoadRefineIntegrate_Private(const LoadTerm *term, const Me
 
     if (!pieces[e]) continue;
     LoadElementSet(term, e, &element);
-    PetscCall(LoadElementIntegrate(&element, fe));
+    PetscCall(LoadRefineGetTaken_Private(&element, e, fe));
     LoadElementAdd(&element, -1., fe, fa);
     for (PetscInt k = 0; k < dim; k++)
       tolerance[k] = ACCURACY * PetscMax(LoadRefineGetOwn_Private(term, e, k), 0.5 * measure->scale[k] / num_rough);

@@ -147,7 +147,9 @@ PetscErrorCode LoadTermCreate(Scene scene, Level *level, PetscInt material, cons
     term->type[e]    = (ElementType)level->cell_type[c];
     term->nodes[e++] = &level->cell_nodes[level->cell_start[c]];
   }
-  if (term->formula) PetscCall(PetscCalloc2(term->num * term->dim, &term->own, term->num * term->dim, &term->miss));
+  if (term->formula)
+    PetscCall(
+        PetscCalloc3(term->num * term->dim, &term->own, term->num * term->dim, &term->miss, term->num, &term->points));
   if (term->total) PetscCall(LoadTermSpread(term, (PetscBool)(boundary->kind == BOUNDARY_MOMENT)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -156,7 +158,7 @@ PetscErrorCode LoadTermDestroy(LoadTerm *term)
 {
   PetscFunctionBeginUser;
   if (term->switches) PetscCall(ExpressionDestroy(&term->switches));
-  PetscCall(PetscFree2(term->own, term->miss));
+  PetscCall(PetscFree3(term->own, term->miss, term->points));
   PetscCall(PetscFree2(term->type, term->nodes));
   PetscCall(FacetsDestroy(&term->facets));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -199,11 +201,11 @@ static PetscErrorCode LoadsAddTerm_Private(LoadTerm *term, PetscScalar fa[])
   for (PetscInt e = 0; e < term->num; e++) {
     LoadElementSet(term, e, &element);
     PetscCall(LoadElementIntegrate(&element, fe));
-    LoadElementAdd(&element, 1., fe, fa);
     if (term->formula)
       PetscCall(LoadElementCheck(&element, e, fe));
     else
       LoadElementSums(&element, fe, term->sums);
+    LoadElementAdd(&element, 1., fe, fa);
   }
   for (PetscInt i = 0; term->formula && i < term->num * term->dim; i++) term->sums[i % term->dim] += term->own[i];
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -22,6 +22,7 @@ typedef struct {
   const PetscInt **nodes;   /* local nodes of each [num] */
   PetscReal       *own;     /* sum_i |int phi_i t| by the larger of two rules; formulas only [num][dim] */
   PetscReal       *miss;    /* largest difference of two rules; formulas only [num][dim] */
+  PetscInt        *points;  /* along each coordinate of the rule that replaces LoadElementIntegrate(), or 0 [num] */
   PetscReal        sums[3]; /* of own, on this rank */
 } LoadTerm;
 
@@ -60,11 +61,13 @@ void LoadElementAdd(const LoadElement *element, PetscReal scale, const PetscReal
 void LoadElementSums(const LoadElement *element, const PetscReal fe[], PetscReal sums[]);
 
 /* Compares the integrals of LoadElementIntegrate() over element e with those of a second rule: writes own and
-   miss of the term. Not collective. [in] fe - [num_nodes][dim] */
-PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, const PetscReal fe[]);
+   miss of the term. Where another rule is needed and sure to be enough, writes its points and fe. Not
+   collective.
+   [in,out] fe - [num_nodes][dim] */
+PetscErrorCode LoadElementCheck(const LoadElement *element, PetscInt e, PetscReal fe[]);
 /* Integrates formulas anew where two rules differ, and warns of what is not reached. Collective; own and miss
    of all elements are set.
-   [in,out] fa - holds the integrals of all elements by LoadElementIntegrate() [level->num_nodes][dim] */
+   [in,out] fa - holds the integrals of all elements after LoadElementCheck() [level->num_nodes][dim] */
 PetscErrorCode LoadTermsRefine(Level *level, PetscInt num, LoadTerm terms[], PetscScalar fa[]);
 
 #endif
