@@ -61,6 +61,7 @@ SCENES = {
     "friction, punch": ("punch", "-punch_friction 0.4", range(3, 9)),
     "friction, dent in space": ("indentation", "-dent_friction 0.3", range(3, 6)),
     "friction, two discs": ("fretting", "-upper_dm_plex_box_faces 12,5 -lower_dm_plex_box_faces 10,4 -load_steps 1,2,4,5", range(3, 7)),
+    "friction, around an axis": ("hertz_axisymmetric", "-sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6 -joint_friction 0.1", range(3, 9)),
     "friction, press fit": ("pull_off", "-hub_dm_plex_box_faces 4,6 -shaft_dm_plex_box_faces 3,5 -load_steps 0,4,8", range(3, 7)),
     "hertz in space, order 1": ("hertz3d", "-sphere_dm_plex_box_faces 3,3,2 -block_dm_plex_box_faces 4,4,2 -order 1", range(3, 6)),
 }
