@@ -1,5 +1,6 @@
 /* arcextract.c -- smooth sides of a body while its file's mesh is refined (eq. 4.5). */
 #include "mesh/fileextract.h"
+#include "mesh/filearcs.h"
 #include "base/compat.h"
 
 /* The one chosen cell of a facet, -1 if there is none or if there are several. */
@@ -77,21 +78,54 @@ static PetscErrorCode ArcExtractGetFacets_Private(const Extract *x, const PetscB
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides)
+/* Facets of the sides of a body that may be smooth, and of those that must stay flat. */
+static PetscErrorCode ExtractGetSides_Private(Extract *x, Scene scene, PetscInt body, ArcSides *sides)
 {
   char      *round, *flat;
   PetscBool *chosen;
 
   PetscFunctionBeginUser;
-  *sides = (ArcSides){.any = PETSC_FALSE};
-  if (x->alone.order > 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ArcSideNames(scene, body, &round, &flat));
   PetscCall(PetscMalloc1(x->level.num_cells, &chosen));
   PetscCall(RegionMark(x->level.dm, x->names, x->body->region, chosen, NULL));
   PetscCall(ArcExtractGetFacets_Private(x, chosen, round, &sides->round));
   PetscCall(ArcExtractGetFacets_Private(x, chosen, flat, &sides->flat));
   PetscCall(PetscFree(chosen));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides)
+{
+  PetscFunctionBeginUser;
+  *sides = (ArcSides){.any = PETSC_FALSE};
+  if (x->alone.order > 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExtractGetSides_Private(x, scene, body, sides));
   PetscCall(LevelHasArcs(&x->level, &sides->round, &sides->any));
   if (sides->any) PetscCall(LevelKeepUnmapped(&x->level));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExtractMarkParabolas(Extract *x, Scene scene, PetscInt body)
+{
+  ArcSides sides;
+
+  PetscFunctionBeginUser;
+  if (x->alone.order == 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExtractGetSides_Private(x, scene, body, &sides));
+  PetscCall(LevelMarkParabolas(&x->level, &sides.round, &x->alone.arcs));
+  PetscCall(ArcSidesDestroy(&sides));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode ExtractCurveMiddles(Extract *x, Scene scene, PetscInt body)
+{
+  ArcSides sides;
+
+  PetscFunctionBeginUser;
+  if (!x->alone.arcs) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExtractGetSides_Private(x, scene, body, &sides));
+  PetscCall(LevelArcMiddles(&x->level, &sides));
+  PetscCall(PetscArraycpy(x->level.coords, x->level.unmapped, x->level.num_nodes * x->level.dim));
+  PetscCall(ArcSidesDestroy(&sides));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -9,7 +9,7 @@
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
-#include "mesh/sideshape.h"
+#include "mesh/filearcs.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -61,10 +61,8 @@ PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The points of the edges of a facet.
-   [in] point - of each node; [out] edges - in the order of ElementEdgeNodes() */
-static PetscErrorCode FacetGetEdges_Private(const Level *level, const PetscInt point[], const Facets *facets,
-                                            PetscInt f, PetscInt edges[])
+PetscErrorCode FacetGetEdges(const Level *level, const PetscInt point[], const Facets *facets, PetscInt f,
+                             PetscInt edges[])
 {
   PetscFunctionBeginUser;
   for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++) {
@@ -95,12 +93,14 @@ static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, co
     const PetscInt num = ElementNumNodes(facets->type[f]);
     PetscReal      normal[3];
 
-    PetscCall(FacetGetEdges_Private(arcs->from, point, facets, f, edges));
+    PetscCall(FacetGetEdges(arcs->from, point, facets, f, edges));
     if (!bulge) (void)FacetGetMeasure(arcs->from, facets, f, normal);
     for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++) {
       const PetscInt node = arcs->node[edges[e] - arcs->begin];
+      PetscBool      parabola;
 
-      for (PetscInt k = 0; k < dim && node >= 0; k++) {
+      PetscCall(PointIsParabola(arcs->from->dm, edges[e], &parabola));
+      for (PetscInt k = 0; k < dim && node >= 0 && !parabola; k++) {
         if (bulge) {
           sums[node * bs + k] += bulge[(f * F + num + e) * dim + k];
           sums[node * bs + dim] += PetscSqr(bulge[(f * F + num + e) * dim + k]);

@@ -1,5 +1,5 @@
 /* arcsides.c -- the smooth sides: sides of pairs whose files have straight edges (eq. 4.5). */
-#include "mesh/meshimpl.h"
+#include "mesh/filearcs.h"
 #include "base/compat.h"
 #include <string.h>
 
@@ -144,6 +144,24 @@ PetscErrorCode ArcSidesDestroy(ArcSides *sides)
   PetscFunctionBeginUser;
   PetscCall(FacetsDestroy(&sides->round));
   PetscCall(FacetsDestroy(&sides->flat));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelFindFileArcs(Level *level)
+{
+  const Scene scene = level->scene;
+  Level       plain = LevelBeforeMap(level);
+
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    SceneBody *body  = &scene->bodies[b];
+    ArcSides   sides = {.any = PETSC_FALSE};
+
+    if (!body->curved_file || body->polygonal || body->order == 1) continue;
+    PetscCall(ArcSidesAdd_Private(level, b, &sides));
+    PetscCall(LevelMarkParabolas(&plain, &sides.round, &body->arcs));
+    PetscCall(ArcSidesDestroy(&sides));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -126,6 +126,7 @@ static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt 
   x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &x->alone};
   PetscCall(LevelCreateTables(&x->scene, file->dm, x->alone.order, &x->level));
   PetscCall(LevelSetCoords(&x->level, &file->curves));
+  if (x->body->refine) PetscCall(ExtractMarkParabolas(x, scene, body));
   for (PetscInt i = 0; i < x->body->refine; i++) {
     ArcSides sides;
     Level    coarse;
@@ -133,6 +134,7 @@ static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt 
     PetscCall(ExtractArcSides(x, scene, body, &sides));
     coarse = x->level;
     PetscCall(LevelRefine(&coarse, &sides, &x->level));
+    PetscCall(ExtractCurveMiddles(x, scene, body));
     PetscCall(ArcSidesDestroy(&sides));
     PetscCall(LevelDestroy(&coarse));
   }

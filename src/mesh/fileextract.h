@@ -47,5 +47,8 @@ PetscErrorCode ExtractSides(const Extract *x, const SideNames *names, BodyList *
 /* Sides that are taken for smooth on the level as it is; positions before the map are kept where there are
    some. [out] sides - owned by the caller */
 PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides *sides);
+/* The same for a file of second order: which facets are on arcs; their middle nodes after a refinement. */
+PetscErrorCode ExtractMarkParabolas(Extract *x, Scene scene, PetscInt body);
+PetscErrorCode ExtractCurveMiddles(Extract *x, Scene scene, PetscInt body);
 
 #endif

@@ -25,7 +25,7 @@ typedef struct {
   PetscReal normal[3]; /* of the smooth side there */
 } SideCorner;
 
-/* Smooth sides of a body whose file has straight edges (eq. 4.5). The normals at two vertices determine the
+/* Smooth sides of a body from a file (eq. 4.5). The normals at two vertices determine the
    curve between them and the normal at its middle. So the position of a vertex does not depend on refinement
    elsewhere. */
 typedef struct {

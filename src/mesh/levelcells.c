@@ -158,7 +158,8 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
   }
   if (body->arcs)
     snprintf(sentence + used, MESH_SENTENCE - used,
-             "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the polygons of its file", body->name);
+             "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the %s of its file", body->name,
+             body->curved_file ? "parabolas" : "polygons");
 }
 
 /* The user error of a body with cells of both orientations. Its map has folded it, or the curves of its file,

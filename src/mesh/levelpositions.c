@@ -159,10 +159,12 @@ PetscErrorCode LevelBeginArcs(Level *level)
 
   PetscFunctionBeginUser;
   PetscCall(LevelFindArcs(level, &any));
-  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(LevelKeepUnmapped(level));
-  PetscCall(LevelCurveMiddles_Private(level));
-  PetscCall(LevelMapCoords_Private(level, level->unmapped));
+  if (any) {
+    PetscCall(LevelKeepUnmapped(level));
+    PetscCall(LevelCurveMiddles_Private(level));
+    PetscCall(LevelMapCoords_Private(level, level->unmapped));
+  }
+  PetscCall(LevelFindFileArcs(level)); // these have their middle nodes
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -252,9 +252,10 @@ typedef struct {
 /* The names of a body's sides that may be smooth, and of those with a fixed normal displacement, joined by
    '+'. [out] each owned by the caller, PetscFree(); NULL if there are none */
 PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat);
-/* Finds the bodies with smooth sides that are curved. Collective.
-   [out] any - whether there are such bodies */
+/* Finds the bodies with smooth sides that are curved: of files of first order; of second order, if some
+   facets are on arcs. Collective. [out] any - whether there are such bodies */
 PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
+PetscErrorCode LevelFindFileArcs(Level *level);
 /* Whether facets of first order form a curved patch, on any rank. Collective. */
 PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
 /* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
@@ -274,6 +275,10 @@ PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offs
    cells. */
 PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
 void           FacetsTurnOut(const Level *level, Facets *facets);
+/* The points of the edges of a facet. Not collective.
+   [in] point - of each node; [out] edges - in the order of ElementEdgeNodes() */
+PetscErrorCode FacetGetEdges(const Level *level, const PetscInt point[], const Facets *facets, PetscInt f,
+                             PetscInt edges[]);
 
 /* The tables and positions of a partitioned DM, cells not reversed. Collective. */
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);

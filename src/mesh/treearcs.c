@@ -9,7 +9,7 @@
 #include "mesh/forest.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
-#include "mesh/sideshape.h"
+#include "mesh/filearcs.h"
 #include <string.h>
 
 enum { F = ELEMENT_MAX_FACET_NODES };
@@ -43,18 +43,20 @@ static PetscErrorCode TreeChooseFacets_Private(const Tree *tree, const SideNames
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The first list as a level of its own, on this rank, before any map.
-   [out] dm - to be destroyed with the level */
+/* The first list as a level of its own, on this rank, before any map. */
 static PetscErrorCode TreeCreateLevel_Private(const Tree *tree, Scene alone, Level *level)
 {
   Numbering numbering;
+  Curves    curves;
   DM        dm;
 
   PetscFunctionBeginUser;
   PetscCall(NumberingCreate(1, &tree->list, &numbering));
   PetscCall(PlexCreate(PETSC_COMM_SELF, tree->list.dim, &tree->list, &numbering, &dm));
-  PetscCall(LevelCreateTables(alone, dm, 1, level));
-  PetscCall(LevelSetCoords(level, NULL));
+  PetscCall(CurvesCreate(dm, &tree->list, &numbering, &curves));
+  PetscCall(LevelCreateTables(alone, dm, alone->bodies[0].order, level));
+  PetscCall(LevelSetCoords(level, &curves));
+  PetscCall(CurvesDestroy(&curves));
   PetscCall(NumberingDestroy(&numbering));
   PetscCall(DMDestroy(&dm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -103,6 +105,32 @@ static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Drops the smooth facets of a file of second order that stay parabolas.
+   [in,out] num_round - smooth ones, which come first; facets, entry, normal - in the same order */
+static PetscErrorCode TreeDropParabolas_Private(Tree *tree, const Level *level, PetscInt *num_round, Facets *facets,
+                                                PetscInt entry[], PetscReal normal[])
+{
+  const PetscInt stride = F * level->dim;
+  PetscInt       kept   = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < facets->num; f++) {
+    if (f < *num_round && !FacetIsOnArcs(level, facets, f, &normal[f * stride])) {
+      tree->arcs.round[entry[f]] = PETSC_FALSE;
+      continue;
+    }
+    facets->type[kept] = facets->type[f];
+    facets->cell[kept] = facets->cell[f];
+    entry[kept]        = entry[f];
+    PetscCall(PetscArraymove(&facets->nodes[kept * F], &facets->nodes[f * F], F));
+    if (f < *num_round) PetscCall(PetscArraymove(&normal[kept * stride], &normal[f * stride], stride));
+    kept++;
+  }
+  *num_round -= facets->num - kept;
+  facets->num = kept;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether some edge of facets with these normals bends. */
 static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, const PetscReal normal[])
 {
@@ -113,7 +141,7 @@ static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, co
     PetscReal X[3 * F], bulge[3 * F];
 
     VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
-    any = ArcBulge(facets->type[f], X, &normal[f * F * dim], bulge);
+    any = ArcBulge(ElementLinear(facets->type[f]), X, &normal[f * F * dim], bulge);
   }
   return any;
 }
@@ -134,13 +162,13 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
   arcs->room = facets->num * ElementNumNodes(TreeFacetType_Private(tree));
   PetscCall(PetscCalloc1(arcs->room, &arcs->corner));
   for (PetscInt f = 0; f < facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
+    for (PetscInt i = 0; i < ElementNumNodes(TreeFacetType_Private(tree)); i++)
       arcs->start[point[facets->nodes[f * F + i]] - first + 2]++;
   }
   for (PetscInt v = 0; v < arcs->num_vertices; v++) arcs->start[v + 2] += arcs->start[v + 1];
   for (PetscInt f = 0; f < facets->num; f++) {
     if (arcs->flat[entry[f]]) (void)FacetGetMeasure(level, facets, f, arcs->plane[entry[f]]);
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+    for (PetscInt i = 0; i < ElementNumNodes(TreeFacetType_Private(tree)); i++) {
       SideCorner *corner = &arcs->corner[arcs->start[point[facets->nodes[f * F + i]] - first + 1]++];
 
       corner->facet = entry[f];
@@ -260,9 +288,15 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   PetscFunctionBeginUser;
   PetscCall(TreeCreateLevel_Private(tree, alone, &level));
   PetscCall(TreeGetFacets_Private(tree, &level, &num_round, &facets, &entry));
+  if (tree->list.curved_file) PetscCall(FacetsRaise(&level, &facets));
   num        = facets.num;
   facets.num = num_round;
   PetscCall(SideShapeCreate(&level, &facets, &shape));
+  facets.num = num;
+  if (tree->list.curved_file)
+    PetscCall(TreeDropParabolas_Private(tree, &level, &num_round, &facets, entry, shape.normal));
+  num        = facets.num;
+  facets.num = num_round;
   arcs->any  = FacetsBend_Private(&level, &facets, shape.normal);
   facets.num = num;
   if (arcs->any) PetscCall(TreeArcsBegin_Private(tree, &level, &facets, entry, num_round, shape.normal));
@@ -277,14 +311,14 @@ PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names
 {
   const SceneBody *own   = &scene->bodies[body];
   TreeArcs        *arcs  = &tree->arcs;
-  SceneBody        plain = {.name = own->name, .order = 1, .mesh_file = own->mesh_file};
+  const PetscBool  high  = tree->list.curved_file;
+  SceneBody        plain = {.name = own->name, .order = high ? 2 : 1, .mesh_file = own->mesh_file};
   struct _n_Scene  alone = {.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &plain};
   char            *round, *flat;
   PetscBool        any;
 
   PetscFunctionBeginUser;
-  if (!own->mesh_file || own->polygonal || tree->list.curved_file || !tree->list.num_cells)
-    PetscFunctionReturn(PETSC_SUCCESS);
+  if (!own->mesh_file || own->polygonal || !tree->list.num_cells) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(
       PetscCalloc3(tree->num_entries, &arcs->round, tree->num_entries, &arcs->flat, tree->num_entries, &arcs->plane));
   PetscCall(ArcSideNames(scene, body, &round, &flat));
@@ -293,7 +327,7 @@ PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names
   if (any) PetscCall(TreeArcsFind_Private(tree, &alone));
   if (!arcs->any) {
     PetscCall(TreeArcsDestroy(arcs));
-  } else if (own->order > 1) {
+  } else if (own->order > 1 && !high) {
     PetscCall(BodyListRaise_Private(&tree->list));
     TreeArcsSetMiddles_Private(tree, &tree->list);
   }

@@ -55,10 +55,10 @@ typedef struct {
   Expression    map;    /* box coordinates to positions [dim], or NULL */
   PetscInt      refine; /* refinements of this body alone, before all are merged */
   PetscInt      order;
-  PetscBool     polygonal;    /* sides are the polygons that the facets of first order make */
-  PetscBool     curved_file;  /* set by the mesh: the file is of second order */
-  PetscBool     straightened; /* likewise: it has curved sides, of which order 1 makes chords */
-  PetscBool     arcs; /* likewise: it is of first order, and has sides of pairs that are taken for smooth and bend */
+  PetscBool     polygonal;                 /* sides are the polygons that the facets of first order make */
+  PetscBool     curved_file;               /* set by the mesh: the file is of second order */
+  PetscBool     straightened;              /* likewise: it has curved sides, of which order 1 makes chords */
+  PetscBool     arcs;                      /* likewise: it has sides of pairs that are taken for smooth and bend */
   PetscInt      num_nonmanifold;           /* likewise, on the first rank: vertices that alone connect some cells */
   PetscReal     nonmanifold[3];            /* the first of them, before the map */
   SceneMaterial material;                  /* of the cells in no region */

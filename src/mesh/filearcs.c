@@ -1,0 +1,137 @@
+/* filearcs.c -- sides of files of second order whose curves are those of nodal normals (eq. 4.5).
+
+   A parabola through three nodes of a circle leaves it elsewhere, and the next one begins at an angle to it.
+   On finer levels contact pressures follow these angles. So where the file's middle nodes lie on the curves
+   of the normals, refinement follows these curves. Elsewhere it follows the file's parabolas, which know more
+   than the normals do. */
+#include "base/compat.h"
+#include "kernel/arc.h"
+#include "kernel/vector.h"
+#include "mesh/filearcs.h"
+#include "mesh/sidesums.h"
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+
+static const char PARABOLAS[] = "parabolas";
+
+/* The facet of two of its edges; of a line the line itself. */
+static PetscErrorCode FacetGetPoint_Private(const Level *level, const PetscInt edges[], PetscInt *facet)
+{
+  const PetscInt *joined;
+  PetscInt        num;
+
+  PetscFunctionBeginUser;
+  *facet = edges[0];
+  if (level->dim == 2) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(DMPlexGetJoin(level->dm, 2, edges, &num, &joined));
+  PetscCheck(num == 1, PETSC_COMM_SELF, PETSC_ERR_PLIB, "%" PetscInt_FMT " facets between two edges", num);
+  *facet = joined[0];
+  PetscCall(DMPlexRestoreJoin(level->dm, 2, edges, &num, &joined));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FacetsRaise(const Level *level, Facets *facets)
+{
+  PetscInt *point, edges[ELEMENT_MAX_NODES], facet;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetNodePoints(level, &point));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const ElementType linear = facets->type[f], type = ElementOfOrder(linear, 2);
+    const PetscInt    num = ElementNumNodes(linear), num_edges = ElementNumEdges(linear);
+
+    PetscCall(FacetGetEdges(level, point, facets, f, edges));
+    PetscCall(FacetGetPoint_Private(level, edges, &facet));
+    for (PetscInt i = num; i < ElementNumNodes(type); i++)
+      facets->nodes[f * F + i] = PointGetNode(level, i < num + num_edges ? edges[i - num] : facet);
+    facets->type[f] = type;
+  }
+  PetscCall(PetscFree(point));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[])
+{
+  const PetscInt    dim  = level->dim;
+  const ElementType type = facets->type[f];
+  PetscReal         X[3 * F], away = 0, allowed = 0;
+
+  VectorGather(dim, ElementNumNodes(type), &facets->nodes[f * F], level->coords, X);
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
+    const PetscInt   a = ElementEdgeNodes(type, e)[0] * dim, b = ElementEdgeNodes(type, e)[1] * dim;
+    const PetscReal *middle = &X[(ElementNumNodes(ElementLinear(type)) + e) * dim];
+    PetscReal        offset[3], way[3], turn[3];
+
+    ArcOffset(dim, &X[a], &normal[a], &X[b], &normal[b], offset);
+    for (PetscInt k = 0; k < dim; k++) {
+      way[k]  = middle[k] - (X[a + k] + X[b + k]) / 2 - offset[k];
+      turn[k] = (normal[b + k] - normal[a + k]) / 2;
+    }
+    away    = PetscMax(away, VectorNorm(dim, way));
+    allowed = PetscMax(allowed, VectorNorm(dim, offset) * VectorDot(dim, turn, turn) / 16);
+  }
+  return (PetscBool)(away <= allowed && allowed > 0);
+}
+
+/* Finds the facets on arcs, and whether one of them is at each of their nodes. Collective.
+   [out] on - by facets, then 1 or 0 by corners [num], [num][F]; any - on any rank */
+static PetscErrorCode FacetsFindArcs_Private(Level *level, const Facets *facets, PetscBool on[], PetscReal at_node[],
+                                             PetscBool *any)
+{
+  SideShape shape;
+
+  PetscFunctionBeginUser;
+  *any = PETSC_FALSE;
+  PetscCall(SideShapeCreate(level, facets, &shape));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    on[f] = FacetIsOnArcs(level, facets, f, &shape.normal[f * F * level->dim]);
+    *any  = (PetscBool)(*any || on[f]);
+    for (PetscInt i = 0; i < F; i++) at_node[f * F + i] = on[f] ? 1 : 0;
+  }
+  PetscCall(SideShapeDestroy(&shape));
+  PetscCall(SideSumAtNodes(level, facets, 1, NULL, at_node));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode LevelMarkParabolas(Level *level, Facets *facets, PetscBool *any)
+{
+  PetscInt  *point, edges[ELEMENT_MAX_NODES], facet;
+  PetscBool *on;
+  PetscReal *at_node;
+  DMLabel    label;
+
+  PetscFunctionBeginUser;
+  PetscCall(FacetsRaise(level, facets));
+  PetscCall(PetscCalloc2(facets->num, &on, facets->num * F, &at_node));
+  PetscCall(FacetsFindArcs_Private(level, facets, on, at_node, any));
+  PetscCall(DMGetLabel(level->dm, PARABOLAS, &label));
+  if (!label) PetscCall(DMCreateLabel(level->dm, PARABOLAS));
+  PetscCall(DMGetLabel(level->dm, PARABOLAS, &label));
+  PetscCall(LevelGetNodePoints(level, &point));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscReal *at_middle = &at_node[f * F + ElementNumNodes(ElementLinear(facets->type[f]))];
+
+    if (on[f]) continue;
+    PetscCall(FacetGetEdges(level, point, facets, f, edges));
+    PetscCall(FacetGetPoint_Private(level, edges, &facet));
+    if (level->dim == 3) PetscCall(DMLabelSetValue(label, facet, 1));
+    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++)
+      if (at_middle[e] == 0) PetscCall(DMLabelSetValue(label, edges[e], 1));
+  }
+  PetscCall(PetscFree(point));
+  PetscCall(PetscFree2(on, at_node));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PointIsParabola(DM dm, PetscInt point, PetscBool *parabola)
+{
+  DMLabel  label;
+  PetscInt value = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMGetLabel(dm, PARABOLAS, &label));
+  if (label) PetscCall(DMLabelGetValue(label, point, &value));
+  *parabola = (PetscBool)(value == 1);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

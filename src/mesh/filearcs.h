@@ -1,0 +1,23 @@
+/* filearcs.h -- sides of files of second order: which of their facets are on the curves of their nodal
+   normals (eq. 4.5). Private. */
+#ifndef MORTISE_FILEARCS_H
+#define MORTISE_FILEARCS_H
+
+#include "mesh/meshimpl.h"
+#include "mesh/sideshape.h"
+
+/* Adds the middle nodes to facets of first order, in bodies of order 2. Not collective. */
+PetscErrorCode FacetsRaise(const Level *level, Facets *facets);
+/* Whether the middle nodes of a facet of second order are as near to the arcs of its corners' normals as
+   parabolas are: at most s gamma^2/16 away. False for a flat facet. Not collective. [in] normal - [F][dim] */
+PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[]);
+
+/* Marks edges and facets of the DM that stay parabolas. Refinement marks what they are divided into.
+   Collective.
+   [in] level - before maps; [in,out] facets - of first order, outward; of second order afterwards;
+   [out] any - whether some facets are on arcs, on any rank */
+PetscErrorCode LevelMarkParabolas(Level *level, Facets *facets, PetscBool *any);
+/* Whether an edge is marked. Not collective. */
+PetscErrorCode PointIsParabola(DM dm, PetscInt point, PetscBool *parabola);
+
+#endif
