@@ -1,15 +1,20 @@
 /* frictionfloors.c -- floors of error bars of numbers of friction.
 
    A pair that sticks on all meshes tells nothing of the slip that finer ones may have, as at its ends. It is
-   the error of a displacement. A node that a plane of symmetry holds along the side has no friction there.
-   Where the sides slip away from the plane the traction jumps at it. Then the force lacks what the part of
-   the node would have, which changes from mesh to mesh only when facets there do. */
+   the error of a displacement. Slip is often largest where contact ends. Then it is known as well as that
+   place, whatever the error of the displacement. A node that a plane of symmetry holds along the side has no
+   friction there. Where the sides slip away from the plane the traction jumps at it. Then the force lacks
+   what the part of the node would have, which changes from mesh to mesh only when facets there do. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
+#include "result/frictionfields.h"
 #include "result/frictionfloors.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
+
+/* Contact ends on the facet behind the last active node, or on less than half of the one after it. */
+static const PetscReal END_FACETS = 1.5;
 
 /* Forces along the side, and whether a node slips, of all ranks. Collective. */
 static PetscErrorCode FrictionFloorsSetSlip_Private(Fields fields, PetscInt p, PetscReal relative,
@@ -121,12 +126,93 @@ static PetscErrorCode FrictionFloorsSetHeld_Private(Fields fields, PetscInt p, F
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* At owned nodes of a side: slip, and whether it is in contact. Collective.
+   [out] slips - ghosted, dim + 1 per node, owned by the caller;
+   [out] largest - slip in contact, of all ranks */
+static PetscErrorCode FrictionFloorsCreateSlips_Private(Fields fields, PetscInt p, Vec *slips, PetscReal *largest)
+{
+  const VI       vi  = fields->vi;
+  const PetscInt dim = vi->level->dim, n = vi->level->num_owned;
+  const Pair     pair = vi->pairs[p];
+  PetscReal     *traction, *slip;
+  PetscScalar   *a;
+
+  PetscFunctionBeginUser;
+  *largest = 0;
+  PetscCall(LevelCreateVec(vi->level, dim + 1, slips));
+  PetscCall(PetscMalloc2(n * dim, &traction, n * dim, &slip));
+  PetscCall(FrictionFieldsGet(fields, p, traction, slip));
+  PetscCall(VecGetArray(*slips, &a));
+  for (PetscInt i = 0; i < n; i++)
+    for (PetscInt k = 0; k < dim; k++) a[i * (dim + 1) + k] = slip[i * dim + k];
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt i = pair->nodes[vi->row_node[r]];
+
+    if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
+    a[i * (dim + 1) + dim] = 1;
+    *largest               = PetscMax(*largest, VectorNorm(dim, &slip[i * dim]));
+  }
+  PetscCall(VecRestoreArray(*slips, &a));
+  PetscCall(PetscFree2(traction, slip));
+  PetscCall(LevelShareVec(*slips, INSERT_VALUES));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* How much slip differs on a facet from its largest one, where that is the largest of all in contact and
+   contact ends on the facet. [in] a - of FrictionFloorsCreateSlips_Private(); num - nodes of the facet */
+static PetscReal FrictionFloorsGetChange_Private(PetscInt dim, const PetscScalar a[], PetscInt num,
+                                                 const PetscInt nodes[], PetscReal largest)
+{
+  const PetscScalar *peak   = NULL;
+  PetscBool          open   = PETSC_FALSE;
+  PetscReal          change = 0;
+
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscScalar *at = &a[nodes[i] * (dim + 1)];
+
+    open = (PetscBool)(open || at[dim] == 0);
+    if (at[dim] != 0 && VectorNorm(dim, at) >= largest) peak = at;
+  }
+  for (PetscInt i = 0; i < num && peak && open; i++) {
+    const PetscScalar *at = &a[nodes[i] * (dim + 1)];
+
+    if (!PetscIsNanReal(at[0])) change = PetscMax(change, VectorDistance(dim, at, peak));
+  }
+  return change;
+}
+
+/* Where slip is largest at an end of contact. Collective. */
+static PetscErrorCode FrictionFloorsSetEnd_Private(Fields fields, PetscInt p, FrictionFloors *floors)
+{
+  const Facets      *facets = &fields->vi->pairs[p]->points->facets;
+  const PetscScalar *a;
+  PetscReal          largest, end = 0;
+  Vec                slips, local;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionFloorsCreateSlips_Private(fields, p, &slips, &largest));
+  PetscCall(VecGhostGetLocalForm(slips, &local));
+  PetscCall(VecGetArrayRead(local, &a));
+  for (PetscInt f = 0; f < facets->num; f++)
+    end = PetscMax(end, END_FACETS * FrictionFloorsGetChange_Private(fields->vi->level->dim, a,
+                                                                     ElementNumNodes(facets->type[f]),
+                                                                     &facets->nodes[f * F], largest));
+  PetscCall(VecRestoreArrayRead(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(slips, &local));
+  PetscCall(VecDestroy(&slips));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &end, 1, MPIU_REAL, MPI_MAX, fields->vi->level->comm));
+  floors->slip = PetscMax(floors->slip, end);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FrictionFloorsCompute(Fields fields, PetscInt p, PetscReal relative, FrictionFloors *floors)
 {
   PetscFunctionBeginUser;
   *floors = (FrictionFloors){0};
   if (!ScenePairHasFriction(fields->vi->pairs[p]->spec)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionFloorsSetSlip_Private(fields, p, relative, floors));
+  if (floors->slip == 0) PetscCall(FrictionFloorsSetEnd_Private(fields, p, floors));
   PetscCall(FrictionFloorsSetHeld_Private(fields, p, floors));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,7 +5,8 @@
 #include "result/fields.h"
 
 typedef struct {
-  PetscReal slip; /* where all of the pair sticks: 6 (eta / |u|)^2 of the displacements; else 0 */
+  PetscReal slip; /* where all of the pair sticks: 6 (eta / |u|)^2 of the displacements; where slip is largest at an
+                     end of contact: 3/2 of its change on the facet there; else 0 */
   PetscReal work; /* the work of the tractions along the side on that slip */
   PetscReal held; /* force that nodes have not, which a support holds along the side, at the traction beside them */
 } FrictionFloors;
