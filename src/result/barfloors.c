@@ -19,6 +19,10 @@ enum { F = ELEMENT_MAX_FACET_NODES };
    recovery finds half of the error of a body that is never refined, a quarter of its square. */
 static const PetscReal WHOLE_FACTOR = 2, BODY_FACTOR = 6, LOCAL_FACTOR = 3;
 
+/* Of Dundurs' beta. Friction q along a half space changes the pressure that leaves it flat by beta times the
+   Hilbert transform of q, which has the norm of q. */
+static const PetscReal LARGEST_DUNDURS = 0.5;
+
 /* Of h max |e|, the largest error of a function of order 1 or 2 between two nodes at a distance h, if e is
    the error of its slope. */
 static const PetscReal PLACE_FACTOR[] = {0.25, 0.1};
@@ -77,8 +81,24 @@ static PetscReal BarFloorsGetArea_Private(const Scene scene, ElementType type, c
 /* What is read at local nodes. */
 typedef struct {
   const PetscScalar *nodal, *normal; /* of BarFloorsCreateNodal_Private(); directions of contact [dim] */
+  const PetscScalar *traction;       /* [dim] */
+  PetscBool          rubs;           /* whether friction acts along the side */
   NodalStressArrays  stress;
 } SideValues;
+
+/* How far stress and pressure at a node of a side are apart, with what the same difference of friction does
+   to the pressure. [in] i - local node */
+static PetscReal SideValuesGetDifference_Private(PetscInt dim, const SideValues *values, PetscInt i, PetscInt material)
+{
+  const PetscReal *normal = &values->normal[dim * i], *traction = &values->traction[dim * i];
+  PetscReal        t[CELL_MAX_DIM], normal_part;
+
+  CellStressTraction(dim, NodalStressAt(&values->stress, i, material), normal, t);
+  normal_part = PetscRealPart(values->nodal[3 * i]) + VectorDot(dim, normal, t);
+  if (!values->rubs) return PetscAbsReal(normal_part);
+  for (PetscInt k = 0; k < dim; k++) t[k] += traction[k] - normal_part * normal[k];
+  return PetscAbsReal(normal_part) + LARGEST_DUNDURS * VectorNorm(dim, t);
+}
 
 /* Takes one facet. [in] largest - pressure of the pair; [in,out] floors */
 static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, PetscInt f, const SideValues *values,
@@ -90,16 +110,13 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
   PetscBool      peak = PETSC_FALSE, open = PETSC_FALSE, closed = PETSC_FALSE;
 
   for (PetscInt i = 0; i < n; i++) {
-    const PetscScalar *at     = &values->nodal[3 * nodes[i]];
-    const PetscReal   *normal = &values->normal[dim * nodes[i]];
-    PetscReal          t[CELL_MAX_DIM];
+    const PetscScalar *at = &values->nodal[3 * nodes[i]];
 
     peak   = (PetscBool)(peak || PetscRealPart(at[0]) >= largest);
     open   = (PetscBool)(open || at[1] == 0);
     closed = (PetscBool)(closed || at[1] != 0);
     if (at[2] == 0) continue; // others have no pressure to compare
-    CellStressTraction(dim, NodalStressAt(&values->stress, nodes[i], material), normal, t);
-    difference = PetscMax(difference, PetscAbsReal(PetscRealPart(at[0]) + VectorDot(dim, normal, t)));
+    difference = PetscMax(difference, SideValuesGetDifference_Private(dim, values, nodes[i], material));
   }
   if (peak) floors->pressure = PetscMax(floors->pressure, LOCAL_FACTOR * difference);
   if (!open || !closed) return;
@@ -112,14 +129,17 @@ static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFlo
 {
   const Level     *level  = fields->vi->level;
   const PairPoints points = fields->vi->pairs[p]->points;
-  Vec              nodal, local[2];
-  SideValues       values;
+  Vec              nodal, traction, local[3];
+  SideValues       values = {.rubs = ScenePairHasFriction(fields->vi->pairs[p]->spec)};
   PetscReal        largest[2];
   PairSum          sum;
 
   PetscFunctionBeginUser;
   PetscCall(PairSumCompute(fields, p, &sum));
   PetscCall(BarFloorsCreateNodal_Private(fields, p, &nodal));
+  PetscCall(PairTractionCreate(fields, p, &traction));
+  PetscCall(VecGhostGetLocalForm(traction, &local[2]));
+  PetscCall(VecGetArrayRead(local[2], &values.traction));
   PetscCall(VecGhostGetLocalForm(nodal, &local[0]));
   PetscCall(VecGhostGetLocalForm(points->normals, &local[1]));
   PetscCall(VecGetArrayRead(local[0], &values.nodal));
@@ -132,6 +152,9 @@ static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFlo
   PetscCall(VecRestoreArrayRead(local[0], &values.nodal));
   PetscCall(VecGhostRestoreLocalForm(points->normals, &local[1]));
   PetscCall(VecGhostRestoreLocalForm(nodal, &local[0]));
+  PetscCall(VecRestoreArrayRead(local[2], &values.traction));
+  PetscCall(VecGhostRestoreLocalForm(traction, &local[2]));
+  PetscCall(VecDestroy(&traction));
   PetscCall(VecDestroy(&nodal));
   largest[0] = floors->pressure;
   largest[1] = floors->edge;
@@ -194,6 +217,43 @@ static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Twice the strain energy per volume of u_r = r, free along the axis. [in] C - of rr, zz, hoop, rz */
+static PetscReal BarFloorsGetRing_Private(const PetscReal C[])
+{
+  enum { RR, ZZ, HOOP, STRAINS = 4 };
+
+  return C[RR * STRAINS + RR] + 2 * C[RR * STRAINS + HOOP] + C[HOOP * STRAINS + HOOP] -
+         PetscSqr(C[RR * STRAINS + ZZ] + C[HOOP * STRAINS + ZZ]) / C[ZZ * STRAINS + ZZ];
+}
+
+/* Energy norms of bodies whose outer surface moves by one along the radius, and all else in proportion to r.
+   Where a hole or a part of the body moves by one instead, the energy is alike: it does not depend on size in
+   the plane across the axis. Collective. [out] ring - [num_bodies] */
+static PetscErrorCode BarFloorsGetRings_Private(const Level *level, const PetscReal volume[], PetscReal ring[])
+{
+  const Scene    scene = level->scene;
+  const PetscInt num   = scene->num_bodies;
+  PetscReal     *radius, C[PetscSqr(COMPLIANCE_MAX_STRAINS)], poisson;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscArrayzero(ring, num));
+  PetscCall(PetscCalloc1(num, &radius));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const PetscInt b = level->cell_body[c];
+
+    for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; i++)
+      radius[b] = PetscMax(radius[b], level->coords[level->cell_nodes[i] * level->dim]);
+    PetscCall(ElasticityHooke(scene, level->cell_material[c],
+                              &level->coords[level->cell_nodes[level->cell_start[c]] * level->dim], C, &poisson));
+    ring[b] += volume[c] * BarFloorsGetRing_Private(C);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ring, (PetscMPIInt)num, MPIU_REAL, MPI_SUM, level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, radius, (PetscMPIInt)num, MPIU_REAL, MPI_MAX, level->comm));
+  for (PetscInt b = 0; b < num; b++) ring[b] = PetscSqrtReal(ring[b]) / radius[b];
+  PetscCall(PetscFree(radius));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
 {
   const Scene scene = fields->vi->scene;
@@ -203,12 +263,16 @@ PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGet(fields, &estimate));
-  PetscCall(PetscCalloc5(scene->num_bodies, &floors->body, scene->num_bodies, &floors->side, scene->num_pairs,
-                         &floors->pair, scene->num_probes, &floors->stress, scene->num_probes, &floors->place));
+  PetscCall(PetscCalloc6(scene->num_bodies, &floors->body, scene->num_bodies, &floors->side, scene->num_bodies,
+                         &floors->ring, scene->num_pairs, &floors->pair, scene->num_probes, &floors->stress,
+                         scene->num_probes, &floors->place));
   floors->whole = WHOLE_FACTOR * BarFloorsGetRelative_Private(estimate->squared, estimate->norm);
   PetscCall(FieldsEnergy(fields, floors->body, &potential));
+  if (scene->model == MODEL_AXISYMMETRIC)
+    PetscCall(BarFloorsGetRings_Private(fields->vi->level, estimate->volume, floors->ring));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    relative        = BarFloorsGetRelative_Private(estimate->body[b], 2 * floors->body[b]);
+    relative = BarFloorsGetRelative_Private(estimate->body[b], 2 * floors->body[b]);
+    floors->ring[b] *= WHOLE_FACTOR * relative * PetscSqrtReal(2 * floors->body[b]);
     floors->body[b] = BODY_FACTOR * relative;
     floors->side[b] = WHOLE_FACTOR * relative;
   }
@@ -226,6 +290,6 @@ PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
 PetscErrorCode BarFloorsDestroy(BarFloors *floors)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree5(floors->body, floors->side, floors->pair, floors->stress, floors->place));
+  PetscCall(PetscFree6(floors->body, floors->side, floors->ring, floors->pair, floors->stress, floors->place));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -14,12 +14,10 @@ enum {
   PEAK_DOUBTS = 2  /* smaller sizes that must not show growth before what was unbounded has a limit */
 };
 
-/* Factor of the floor of a radial reaction: a unit motion along the radius strains the whole ring. */
-static const PetscReal RADIAL_FACTOR = 4;
-static const PetscReal BAR_MARGIN    = 1.25; /* factor of differences */
-static const PetscReal LEAST_GAIN    = 0.95; /* largest ratio of estimates: nearly equal meshes tell little */
-static const PetscReal FALLEN        = 0.25; /* of the first estimate: below, fewer meshes are enough */
-static const PetscReal SETTLES       = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
+static const PetscReal BAR_MARGIN = 1.25; /* factor of differences */
+static const PetscReal LEAST_GAIN = 0.95; /* largest ratio of estimates: nearly equal meshes tell little */
+static const PetscReal FALLEN     = 0.25; /* of the first estimate: below, fewer meshes are enough */
+static const PetscReal SETTLES    = 0.5;  /* largest ratio of an increment to the one before that shows a rate */
 static const PetscReal GROWN = 0.1; /* part of a stress that it has grown by over BAR_MESHES: it is far from a limit */
 static const PetscReal STRESS_ROUNDING = 1e-9; /* part of its floor below which a stress is zero but for rounding */
 /* Least ratio of an increment to the one before that shows no limit. */
@@ -364,7 +362,8 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
   PetscCall(PetscMalloc1(history->num, &Q));
   for (PetscInt i = 0; i < num; i++) {
     const PetscBool radial = (PetscBool)(kind == FLOOR_SIDE && i == 0 && history->scene->model == MODEL_AXISYMMETRIC);
-    const PetscReal floor  = (radial ? RADIAL_FACTOR : 1) * BarsGetFloor_Private(history, kind, owner, size, beside);
+    const PetscReal floor =
+        PetscMax(BarsGetFloor_Private(history, kind, owner, size, beside), radial ? history->floors->ring[owner] : 0);
 
     for (PetscInt j = 0; j < history->num; j++) {
       PetscReal row[MAX_ITEMS];
