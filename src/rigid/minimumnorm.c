@@ -14,6 +14,9 @@ static const PetscReal PRESSED = 1e-9;
 /* Roundoff of a force, in parts of stiffness times displacement. */
 static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
+/* Loads do work on a motion if it exceeds this part of their sum times the motion: the certificate fails. */
+static const PetscReal DRIVEN = 1e-6;
+
 enum { MAX_DIM = 3 };
 
 /* Data of the quadratic problem. */
@@ -192,12 +195,40 @@ static PetscErrorCode MinimumNormGetSlip_Private(const Cone *cone, const PetscBo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the free motions, which depend on the pressures. */
+/* A free motion on which the loads do work, where that is no roundoff. Then the state is
+   no solution: contacts with friction have let go of a body, and the loads carry it away.
+   [in] n, kernel - the free motions [n][m]; [out] q - [m] */
+static PetscBool MinimumNormIsDriven_Private(Solvability s, PetscInt n, const PetscReal kernel[], PetscReal q[])
+{
+  PetscReal square = 0;
+
+  PetscArrayzero(q, s->m);
+  for (PetscInt i = 0; i < n; i++) {
+    PetscReal work = 0;
+
+    for (PetscInt k = 0; k < s->m; k++) work += s->work[k] * kernel[i * s->m + k];
+    for (PetscInt k = 0; k < s->m; k++) q[k] += work * kernel[i * s->m + k];
+    square += PetscSqr(work);
+  }
+  return (PetscBool)(PetscSqrtReal(square) > DRIVEN * s->forces);
+}
+
+/* Sets the free motions, which depend on the pressures, or the driven one. */
 static PetscErrorCode MinimumNormSetFreeMotions_Private(VI vi, Solvability s, PetscInt n, const PetscReal kernel[])
 {
+  PetscBool  driven;
+  PetscReal *q;
+
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
   PetscCall(PetscFree(s->free));
+  PetscCall(SceneMotionDestroy(&s->driven));
+  s->num_free = 0;
+  PetscCall(PetscMalloc1(s->m, &q));
+  driven = MinimumNormIsDriven_Private(s, n, kernel, q);
+  if (driven) PetscCall(SceneMotionCreate(vi, s, q, &s->driven));
+  PetscCall(PetscFree(q));
+  if (driven) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(n, &s->free));
   s->num_free = n;
   for (PetscInt i = 0; i < n; i++) PetscCall(SceneMotionCreate(vi, s, &kernel[i * s->m], &s->free[i]));

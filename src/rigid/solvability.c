@@ -533,6 +533,7 @@ static PetscErrorCode SolvabilityDestroyMotions_Private(Solvability s)
 {
   PetscFunctionBeginUser;
   PetscCall(SceneMotionDestroy(&s->motion));
+  PetscCall(SceneMotionDestroy(&s->driven));
   for (PetscInt i = 0; i < s->num_free; i++) PetscCall(SceneMotionDestroy(&s->free[i]));
   PetscCall(PetscFree(s->free));
   s->num_free = 0;

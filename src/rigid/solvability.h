@@ -77,6 +77,7 @@ struct _n_Solvability {
   SceneMotion  motion;       /* that shows SOLVABLE_NOT or SOLVABLE_MARGINAL; num = 0 otherwise */
   PetscInt     num_free;
   SceneMotion *free;           /* basis of the free motions, after MinimumNormApply() [num_free] */
+  SceneMotion  driven;         /* motion on which the loads do work in a state that is no solution, else num = 0 */
   PetscReal    slip;           /* largest change of a closed gap by MinimumNormApply() */
   Vec          start;          /* initial active set: 0 or 1 per unknown */
   Vec          regularization; /* diagonal added to A while solving, which makes it definite (eq. 12.6) */
