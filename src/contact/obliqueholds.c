@@ -1,8 +1,8 @@
 /* obliqueholds.c -- nodes that a support holds along a part of their direction of contact.
 
-   On a plane of symmetry the direction of contact lies in the plane. So the part across it is an error of
-   facets, and is removed. Where another support holds the end of an inclined side, that part is real: the
-   support takes it from the nonmortar body, and the mortar side has it without a support. */
+   Where a smooth side crosses a plane of symmetry, the direction of contact lies in the plane. So the part
+   across it is an error of facets, and is removed. Where a support holds the end of an inclined side, that
+   part is real: the contact has its force, whether or not a support takes it from the mortar side as well. */
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "contact/heldfriction.h"
@@ -11,6 +11,9 @@
 
 /* Parts of a direction below this one change forces by less than their thousandth. */
 static const PetscReal OBLIQUE = 1e-3;
+/* The part of a direction across a plane is real where neighbours have most of it. Where a smooth side
+   crosses the plane, it changes from node to node by the turn of facets; an error is a small part of that. */
+static const PetscReal STEADY = 0.5;
 
 /* Whether a node is on the axis of revolution, which is no support. */
 static PetscBool ObliqueHoldsOnAxis_Private(const Level *level, PetscInt i)
@@ -18,9 +21,10 @@ static PetscBool ObliqueHoldsOnAxis_Private(const Level *level, PetscInt i)
   return (PetscBool)(level->scene->model == MODEL_AXISYMMETRIC && level->coords[i * level->dim] == 0);
 }
 
-/* Whether node i is held along a part of its direction n. [out] across - that part, of unit length */
-static PetscBool ObliqueHoldsIsHeld_Private(const Level *level, const Support *support, PetscInt i,
-                                            const PetscScalar n[], PetscReal across[])
+/* The part of the direction n along which node i is held, 0 if it is none to speak of.
+   [out] across - direction of that part */
+static PetscReal ObliqueHoldsPart_Private(const Level *level, const Support *support, PetscInt i, const PetscScalar n[],
+                                          PetscReal across[])
 {
   const PetscInt dim = level->dim;
   PetscReal      length;
@@ -34,9 +38,49 @@ static PetscBool ObliqueHoldsIsHeld_Private(const Level *level, const Support *s
     for (PetscInt k = 0; k < dim; k++) across[k] += dot * d[k];
   }
   length = VectorNorm(dim, across);
-  if (length <= OBLIQUE || ObliqueHoldsOnAxis_Private(level, i)) return PETSC_FALSE;
+  if (length <= OBLIQUE || ObliqueHoldsOnAxis_Private(level, i)) return 0;
   for (PetscInt k = 0; k < dim; k++) across[k] /= length;
-  return PETSC_TRUE;
+  return length;
+}
+
+/* Marks nodes whose neighbours have another part of their directions across the same plane. Collective.
+   [out] turns - 1 or 0, ghosted, owned by the caller */
+static PetscErrorCode ObliqueHoldsFindTurns_Private(Level *level, const Support *support, const PairAssembly *assembly,
+                                                    Vec *turns)
+{
+  enum { F = ELEMENT_MAX_FACET_NODES };
+  const PetscInt     dim = level->dim;
+  Vec                local[2];
+  const PetscScalar *n;
+  PetscScalar       *turn;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, turns));
+  PetscCall(VecGhostGetLocalForm(assembly->directions, &local[0]));
+  PetscCall(VecGhostGetLocalForm(*turns, &local[1]));
+  PetscCall(VecGetArrayRead(local[0], &n));
+  PetscCall(VecGetArray(local[1], &turn));
+  for (PetscInt f = 0; f < assembly->nonmortar.num; f++) {
+    const PetscInt *nodes = &assembly->nonmortar.nodes[f * F], num = ElementNumNodes(assembly->nonmortar.type[f]);
+
+    for (PetscInt i = 0; i < num; i++) {
+      PetscReal       across[3];
+      const PetscReal part = ObliqueHoldsPart_Private(level, support, nodes[i], &n[nodes[i] * dim], across);
+
+      for (PetscInt j = 0; j < num && part > 0; j++) {
+        PetscReal other = 0;
+
+        for (PetscInt k = 0; k < dim; k++) other += across[k] * PetscRealPart(n[nodes[j] * dim + k]);
+        if (PetscAbsReal(other - part) > STEADY * part) turn[nodes[i]] = 1;
+      }
+    }
+  }
+  PetscCall(VecRestoreArray(local[1], &turn));
+  PetscCall(VecRestoreArrayRead(local[0], &n));
+  PetscCall(VecGhostRestoreLocalForm(*turns, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(assembly->directions, &local[0]));
+  PetscCall(LevelShareVec(*turns, MAX_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether the obstacle is oblique to a direction that is held at node i. */
@@ -58,8 +102,9 @@ static PetscErrorCode ObliqueHoldsMark_Private(Level *level, const Support *supp
                                                const PairAssembly *assembly, Vec *marks, PetscBool *any)
 {
   const PetscInt     dim = level->dim;
-  const PetscScalar *n, *D, *measure;
+  const PetscScalar *n, *D, *measure, *turn;
   PetscScalar       *mark;
+  Vec                turns;
   PetscInt           num = 0, *nodes;
   PetscReal         *weights, *across;
   PetscBool         *oblique;
@@ -71,7 +116,7 @@ static PetscErrorCode ObliqueHoldsMark_Private(Level *level, const Support *supp
   PetscCall(VecGetArrayRead(assembly->sums.D, &D));
   for (PetscInt i = 0; i < level->num_owned; i++) {
     if (assembly->status[i] != NODE_KEPT) continue;
-    if (!ObliqueHoldsIsHeld_Private(level, support, i, &n[i * dim], &across[num * dim])) continue;
+    if (ObliqueHoldsPart_Private(level, support, i, &n[i * dim], &across[num * dim]) == 0) continue;
     nodes[num]     = i;
     weights[num++] = PetscRealPart(D[i]);
   }
@@ -81,18 +126,22 @@ static PetscErrorCode ObliqueHoldsMark_Private(Level *level, const Support *supp
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (*any && assembly->sums.M)
     PetscCall(HeldFrictionFindEver(level, support, assembly->sums.M, num, nodes, weights, oblique));
+  PetscCall(ObliqueHoldsFindTurns_Private(level, support, assembly, &turns));
   PetscCall(LevelCreateVec(level, 1, marks));
   PetscCall(VecGetArray(*marks, &mark));
+  PetscCall(VecGetArrayRead(turns, &turn));
   PetscCall(VecGetArrayRead(assembly->sums.measure, &measure));
   for (PetscInt a = 0; a < num; a++) {
     const PetscReal size = PetscPowReal(PetscRealPart(measure[nodes[a]]), 1. / (dim - 1));
 
     if (!assembly->sums.M)
       PetscCall(ObliqueHoldsMeetObstacle_Private(level, partner, nodes[a], size, &across[a * dim], &oblique[a]));
-    mark[nodes[a]] = oblique[a] ? 1 : 0;
+    mark[nodes[a]] = oblique[a] || PetscRealPart(turn[nodes[a]]) == 0 ? 1 : 0;
   }
   PetscCall(VecRestoreArrayRead(assembly->sums.measure, &measure));
+  PetscCall(VecRestoreArrayRead(turns, &turn));
   PetscCall(VecRestoreArray(*marks, &mark));
+  PetscCall(VecDestroy(&turns));
   PetscCall(PetscFree4(nodes, weights, across, oblique));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

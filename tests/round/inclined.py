@@ -9,7 +9,8 @@ WIDE = 1.3
 
 
 def incline(dim, order, degrees, partner):
-    """A block of unit width under a unit of pressure on top; its bottom rises along x, and its left side is held."""
+    """A block of unit width under a unit of pressure on top; its bottom rises along x, and its left side is held,
+    as may be that of its partner: half of a wedge in a groove."""
     rise = math.tan(math.radians(degrees))
     up = "z" if dim == 3 else "y"
     along = "x, y, " if dim == 3 else "x, "
@@ -20,8 +21,11 @@ def incline(dim, order, degrees, partner):
     if partner == "plane":
         scene.plane("floor", "block", [0] * dim, [-rise, *[0] * (dim - 2), 1], side="bottom")
     else:
-        scene.block("base", (7, *deep, 3), [1 - WIDE, *[0] * (dim - 2), -1], [WIDE, *[1] * (dim - 2), 0], young=1e6, map=f"{along}{up}+(1+{up})*{rise}*x",
-                    bc_displacement="bottom", bc_displacement_bottom=",".join("0" * dim), **({"bc_normal": "front,back"} if dim == 3 else {}))
+        ends = ["left"] if partner == "held" else []
+        ends += ["front", "back"] if dim == 3 else []
+        scene.block("base", (7, *deep, 3), [0 if partner == "held" else 1 - WIDE, *[0] * (dim - 2), -1], [WIDE, *[1] * (dim - 2), 0], young=1e6,
+                    map=f"{along}{up}+(1+{up})*{rise}*x", bc_displacement="bottom", bc_displacement_bottom=",".join("0" * dim),
+                    **({"bc_normal": ",".join(ends)} if ends else {}))
         scene.joint("floor", "block:bottom", "base:top")
     return scene, [-rise, *[0] * (dim - 2), 1]
 
@@ -41,7 +45,7 @@ def judge(run):
     for dim in (2, 3):
         for order in (1, 2) if dim == 2 or LONG else (1,):
             for degrees in (0.5, 20, 45):
-                for partner in ("plane", "body"):
+                for partner in ("plane", "body", "held"):
                     name = f"incline_{dim}_{order}_{degrees}_{partner}"
                     scene, expected = incline(dim, order, degrees, partner)
                     with found.case():
