@@ -119,27 +119,33 @@ static PetscErrorCode ActivePredictionMove_Private(Iterate *it, Vec c)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The largest limit below which at most num of the pressures lie. [in] pressure - of this rank [n] */
+/* The largest limit below which at most num of the pressures lie, up to 1/BINS^ROUNDS of the largest one.
+   Each round counts the pressures in equal parts of an interval. [in] pressure - positive, of this rank
+   [n] */
 static PetscErrorCode ActivePredictionLimit_Private(MPI_Comm comm, PetscInt n, const PetscReal pressure[], PetscInt num,
                                                     PetscReal *limit)
 {
-  enum { HALVINGS = 40 };
-  PetscReal upper = 0;
+  enum { BINS = 1024, ROUNDS = 4 };
+  PetscReal width = 0;
+  PetscInt  count[BINS];
 
   PetscFunctionBeginUser;
   *limit = 0;
-  for (PetscInt i = 0; i < n; i++) upper = PetscMax(upper, pressure[i]);
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &upper, 1, MPIU_REAL, MPIU_MAX, comm));
-  for (PetscInt k = 0; k < HALVINGS; k++) {
-    const PetscReal middle = 0.5 * (*limit + upper);
-    PetscInt        below  = 0;
+  for (PetscInt i = 0; i < n; i++) width = PetscMax(width, pressure[i]);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &width, 1, MPIU_REAL, MPIU_MAX, comm));
+  for (PetscInt k = 0; k < ROUNDS && width > 0; k++) {
+    PetscInt bin = 0;
 
-    for (PetscInt i = 0; i < n; i++) below += pressure[i] < middle;
-    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &below, 1, MPIU_INT, MPI_SUM, comm));
-    if (below > num)
-      upper = middle;
-    else
-      *limit = middle;
+    width /= BINS;
+    PetscCall(PetscArrayzero(count, BINS));
+    for (PetscInt i = 0; i < n; i++) {
+      const PetscReal at = (pressure[i] - *limit) / width;
+
+      if (at >= 0 && at < BINS) count[(PetscInt)at]++;
+    }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, BINS, MPIU_INT, MPI_SUM, comm));
+    while (bin < BINS - 1 && count[bin] <= num) num -= count[bin++];
+    *limit += width * (PetscReal)bin;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
