@@ -1,4 +1,5 @@
 mortise_unit(loads LAYER problem RANKS 1 LONG_RANKS 3)
 mortise_unit(symmetricblocks LAYER problem)
+mortise_unit(stiffnessregion LAYER problem RANKS 1 3)
 mortise_unit(congruentcells LAYER problem)
 mortise_unit(basis LAYER rigid RANKS 1 3)

@@ -95,6 +95,37 @@ static PetscErrorCode TestMult(PetscInt bs)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Products of some rows: entries whose row or column, the first of the two, is among them. */
+static PetscErrorCode TestMultRows(PetscInt bs)
+{
+  const PetscReal factor      = 0.75;
+  PetscInt        some[]      = {0, 3, 4, 7};
+  const BlockRows rows        = {.num = PETSC_STATIC_ARRAY_LENGTH(some), .row = some};
+  PetscBool       listed[NUM] = {PETSC_FALSE};
+  SymmetricBlocks blocks;
+  PetscScalar     dense[SIZE][SIZE], x[SIZE], y[2][SIZE];
+  float          *single;
+
+  PetscFunctionBeginUser;
+  PetscCall(CreateRandom(bs, &blocks, dense));
+  PetscCall(SymmetricBlocksCreateSingle(&blocks, factor, &single));
+  for (PetscInt r = 0; r < rows.num; r++) listed[some[r]] = PETSC_TRUE;
+  for (PetscInt i = 0; i < NUM * bs; i++) x[i] = Uniform(-1, 1);
+  SymmetricBlocksMultRows(&blocks, &rows, factor, NULL, x, y[0]);
+  SymmetricBlocksMultRows(&blocks, &rows, factor, single, x, y[1]);
+  for (PetscInt i = 0; i < NUM * bs; i++) {
+    PetscScalar sum = 0;
+
+    for (PetscInt j = 0; j < NUM * bs; j++)
+      if (listed[PetscMin(i, j) / bs]) sum += factor * dense[i][j] * x[j];
+    CHECK_NEAR(PetscRealPart(y[0][i]), PetscRealPart(sum), ROUNDING);
+    CHECK_NEAR(PetscRealPart(y[1][i]), PetscRealPart(sum), ROUNDING_SINGLE);
+  }
+  PetscCall(PetscFree(single));
+  PetscCall(SymmetricBlocksDestroy(&blocks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* A row is copied with the blocks on both sides of the diagonal. */
 static PetscErrorCode TestGetRow(PetscInt bs)
 {
@@ -195,6 +226,7 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (PetscInt bs = 2; bs <= SYMMETRIC_BLOCKS_MAX; bs++) {
     PetscCall(TestMult(bs));
+    PetscCall(TestMultRows(bs));
     PetscCall(TestGetRow(bs));
     PetscCall(TestShare(bs));
     PetscCall(TestFew(bs));
