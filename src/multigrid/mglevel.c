@@ -81,24 +81,25 @@ static PetscErrorCode GetDiagonal_MGLevel(Mat A, Vec diag)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The same to smooth with: infinite outside of the region, where nothing is to move. */
-static PetscErrorCode GetSmoothed_MGLevel(Mat A, Vec diag)
+/* z = diag^-1 r in the region, 0 outside of it */
+static PetscErrorCode Apply_MGLevel(PC pc, Vec r, Vec z)
 {
   MGLevel           *level;
-  const PetscScalar *in;
-  PetscScalar       *d;
+  const PetscScalar *in, *d, *ra;
+  PetscScalar       *za;
   PetscInt           n;
 
   PetscFunctionBeginUser;
-  PetscCall(MatShellGetContext(A, &level));
-  PetscCall(VecCopy(level->diag, diag));
-  if (!level->base->region) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecGetLocalSize(diag, &n));
+  PetscCall(PCShellGetContext(pc, &level));
+  PetscCall(VecGetLocalSize(r, &n));
   PetscCall(VecGetArrayRead(level->base->region, &in));
-  PetscCall(VecGetArray(diag, &d));
-  for (PetscInt i = 0; i < n; i++)
-    if (in[i] == 0) d[i] = PETSC_INFINITY;
-  PetscCall(VecRestoreArray(diag, &d));
+  PetscCall(VecGetArrayRead(level->diag, &d));
+  PetscCall(VecGetArrayRead(r, &ra));
+  PetscCall(VecGetArrayWrite(z, &za));
+  for (PetscInt i = 0; i < n; i++) za[i] = in[i] == 0 ? 0 : ra[i] / d[i];
+  PetscCall(VecRestoreArrayWrite(z, &za));
+  PetscCall(VecRestoreArrayRead(r, &ra));
+  PetscCall(VecRestoreArrayRead(level->diag, &d));
   PetscCall(VecRestoreArrayRead(level->base->region, &in));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -349,7 +350,7 @@ static PetscErrorCode MGLevelCreateShells_Private(MGLevel *level)
   PetscCall(MatGetLocalSize(level->base->P, &n, &coarse));
   PetscCall(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->A));
   PetscCall(MatShellSetOperation(level->A, MATOP_MULT, (void (*)(void))Mult_MGLevel));
-  PetscCall(MatShellSetOperation(level->A, MATOP_GET_DIAGONAL, (void (*)(void))GetSmoothed_MGLevel));
+  PetscCall(MatShellSetOperation(level->A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_MGLevel));
   PetscCall(MatSetOption(level->A, MAT_SPD, PETSC_TRUE));
   PetscCall(MatCreateShell(comm, n, coarse, PETSC_DETERMINE, PETSC_DETERMINE, level, &level->P));
   PetscCall(MatShellSetOperation(level->P, MATOP_MULT, (void (*)(void))Interpolate_MGLevel));
@@ -369,6 +370,20 @@ PetscErrorCode MGLevelCreateOperator(MGLevel *level, Mat *A)
   PetscCall(MatShellSetOperation(*A, MATOP_MULT, (void (*)(void))MultOperator_MGLevel));
   PetscCall(MatShellSetOperation(*A, MATOP_GET_DIAGONAL, (void (*)(void))GetDiagonal_MGLevel));
   PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MGLevelSetPC(MGLevel *level, PC pc)
+{
+  PetscFunctionBeginUser;
+  if (!level->base->region) {
+    PetscCall(SmootherSetPC(pc, level->S));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PCSetType(pc, PCSHELL));
+  PetscCall(PCShellSetName(pc, "diagonal in a region"));
+  PetscCall(PCShellSetContext(pc, level));
+  PetscCall(PCShellSetApply(pc, Apply_MGLevel));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

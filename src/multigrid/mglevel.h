@@ -34,6 +34,9 @@ PetscErrorCode MGLevelDestroy(MGLevel *level);
 PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more);
 /* A^ of the coarsest level as a matrix. Collective. */
 PetscErrorCode MGLevelAssemble(MGLevel *level);
+/* The preconditioner of the smoother: of S, or the diagonal, in the region if there is one. Collective.
+   [in] level - borrowed by pc */
+PetscErrorCode MGLevelSetPC(MGLevel *level, PC pc);
 /* A^ as the operator of an iteration: for vectors that are 0 where active and arbitrary where the operator
    fixes unknowns. Collective. [out] A - owned by the caller, not to outlive the level */
 PetscErrorCode MGLevelCreateOperator(MGLevel *level, Mat *A);

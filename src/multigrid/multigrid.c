@@ -143,7 +143,7 @@ static PetscErrorCode MultigridUpdate_Private(Multigrid *multigrid, Vec free, Ma
     PetscCall(PCMGGetSmoother(multigrid->mg, l, &ksp));
     PetscCall(MultigridSetOperators_Private(ksp, &multigrid->level[l]));
     PetscCall(KSPGetPC(ksp, &pc));
-    PetscCall(SmootherRenew(pc));
+    if (multigrid->level[l].S) PetscCall(SmootherRenew(pc));
   }
   PetscCall(PCSetUp(multigrid->mg));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -312,7 +312,7 @@ static PetscErrorCode MultigridConfigure_Private(PC pc, Multigrid *multigrid)
     PetscCall(MultigridGetSteps_Private(multigrid, l, &steps));
     PetscCall(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, steps));
     PetscCall(KSPGetPC(ksp, &inner));
-    PetscCall(SmootherSetPC(inner, multigrid->level[l].S));
+    PetscCall(MGLevelSetPC(&multigrid->level[l], inner));
     PetscCall(MultigridSmootherFromOptions_Private(ksp, inner));
   }
   PetscCall(PCMGGetCoarseSolve(multigrid->mg, &ksp));

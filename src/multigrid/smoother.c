@@ -348,15 +348,14 @@ PetscErrorCode SmootherSetPC(PC pc, Mat S)
 PetscErrorCode SmootherRenew(PC pc)
 {
   Mat       A, S;
-  PetscBool dealt, diagonal, shell, by_body;
+  PetscBool dealt, shell, by_body;
 
   PetscFunctionBeginUser;
   PetscCall(PCGetOperators(pc, &A, &S));
   PetscCall(DealtFactorIs(pc, &dealt));
-  PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCJACOBI, &diagonal));
   PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCMAT, &shell));
   PetscCall(BodySmootherIs(S, &by_body));
-  if (!dealt && (diagonal || shell == by_body)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!dealt && shell == by_body) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscObjectReference((PetscObject)A));
   PetscCall(PetscObjectReference((PetscObject)S));
   PetscCall(PCReset(pc));

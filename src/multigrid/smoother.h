@@ -22,7 +22,7 @@ PetscErrorCode SmootherSetFixed(const Operator *op, Mat from, Mat change, PetscI
 /* Makes pc the inverse of S, its second operator; each block is solved on one rank. Collective.
    [in] S - or NULL for the diagonal */
 PetscErrorCode SmootherSetPC(PC pc, Mat S);
-/* Call it after pc of SmootherSetPC() got another S. Collective. */
+/* Call it after pc of SmootherSetPC() got another S, not NULL. Collective. */
 PetscErrorCode SmootherRenew(PC pc);
 
 #endif
