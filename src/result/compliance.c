@@ -2,6 +2,7 @@
 #include "result/compliance.h"
 #include "base/compat.h"
 #include "kernel/dense.h"
+#include "kernel/vector.h"
 #include "problem/elasticity.h"
 
 PetscErrorCode ComplianceCreate(Scene scene, Compliance *compliance)
@@ -53,13 +54,22 @@ static void ComplianceSolveLower_Private(const Compliance *compliance, const Pet
   }
 }
 
-PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])
+PetscReal ComplianceProduct(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES],
+                            const PetscReal other[CELL_STRESSES])
 {
-  PetscReal s[COMPLIANCE_MAX_STRAINS], sum = 0;
+  PetscReal s[COMPLIANCE_MAX_STRAINS], r[COMPLIANCE_MAX_STRAINS];
 
   ComplianceSolveLower_Private(compliance, L, stress, s);
-  for (PetscInt i = 0; i < compliance->num; i++) sum += s[i] * s[i];
-  return sum;
+  ComplianceSolveLower_Private(compliance, L, other, r);
+  return VectorDot(compliance->num, s, r);
+}
+
+PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])
+{
+  PetscReal s[COMPLIANCE_MAX_STRAINS];
+
+  ComplianceSolveLower_Private(compliance, L, stress, s);
+  return VectorDot(compliance->num, s, s);
 }
 
 PetscReal ComplianceStrain(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES])

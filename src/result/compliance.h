@@ -20,6 +20,9 @@ PetscErrorCode ComplianceDestroy(Compliance *compliance);
 PetscErrorCode ComplianceGet(Compliance *compliance, PetscInt material, const PetscReal x[], const PetscReal **L);
 /* s : C^-1 : s. Not collective. [in] L - of ComplianceGet(); [in] stress - xx,yy,zz,yz,xz,xy */
 PetscReal ComplianceEnergy(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES]);
+/* s : C^-1 : r, of two stresses. Not collective. */
+PetscReal ComplianceProduct(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES],
+                            const PetscReal other[CELL_STRESSES]);
 /* The largest component of C^-1 s. Not collective. [in] L - of ComplianceGet(); [in] stress -
    xx,yy,zz,yz,xz,xy */
 PetscReal ComplianceStrain(const Compliance *compliance, const PetscReal L[], const PetscReal stress[CELL_STRESSES]);

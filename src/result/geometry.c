@@ -10,19 +10,6 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES, DENSITY_DEGREE = 2 };
 
-/* s : C^-1 : r */
-static PetscReal GeometryProduct_Private(const Compliance *compliance, const PetscReal L[], const PetscReal s[],
-                                         const PetscReal r[])
-{
-  PetscReal sum[CELL_STRESSES], difference[CELL_STRESSES];
-
-  for (PetscInt k = 0; k < CELL_STRESSES; k++) {
-    sum[k]        = s[k] + r[k];
-    difference[k] = s[k] - r[k];
-  }
-  return (ComplianceEnergy(compliance, L, sum) - ComplianceEnergy(compliance, L, difference)) / 4;
-}
-
 /* The cells and the values at their nodes. */
 typedef struct {
   const Level      *level;
@@ -52,9 +39,9 @@ static PetscErrorCode SurfaceEvaluate_Private(const Surface *surface, PetscInt f
   PetscCall(ComplianceGet(surface->compliance, material, x, &L));
   ComplianceDyad(dim, n, dyad);
   for (PetscInt k = 0; k < CELL_STRESSES; k++) normal += (k < 3 ? 1 : 2) * dyad[k] * s[k];
-  along    = GeometryProduct_Private(surface->compliance, L, s, dyad);
+  along    = ComplianceProduct(surface->compliance, L, s, dyad);
   *density = ComplianceEnergy(surface->compliance, L, s) / 2 - normal * along;
-  *trace   = GeometryProduct_Private(surface->compliance, L, s, unit) - along;
+  *trace   = ComplianceProduct(surface->compliance, L, s, unit) - along;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -223,7 +223,7 @@ static PetscErrorCode GoalSetPressure_Private(PetscInt pair, Goal *goal)
   goal->body = vi->scene->pairs[pair].nonmortar.body;
   if (!of.active) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscArraycpy(goal->at, of.max_pressure_at, dim));
-  goal->radius = PetscMax(PRESSURE_RADIUS * VectorDistance(dim, of.upper, of.lower), PETSC_SMALL);
+  goal->radius = PetscMax(PRESSURE_RADIUS * VectorDistance(dim, of.upper, of.lower), PETSC_SMALL * vi->length);
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (GoalTakesRow_Private(goal, r))
       sum += goal->fields->row_weight[r] *

@@ -64,7 +64,7 @@ static PetscErrorCode ThinBodiesWalk_Private(const Level *level, const PetscScal
   for (PetscInt i = 0; i < level->num_owned; i++)
     for (PetscInt k = 0; k < 2; k++) end[k] = PetscMax(end[k], PetscRealPart(a[(i * dim + axis) * 2 + k]));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, end, 2, MPIU_REAL, MPI_MAX, level->comm));
-  scale = INTERVALS * (1 - PETSC_SMALL) / PetscMax(end[0] + end[1], PETSC_SMALL);
+  scale = end[0] + end[1] > 0 ? INTERVALS * (1 - PETSC_SMALL) / (end[0] + end[1]) : 0;
   PetscCall(PetscCalloc1(2 * INTERVALS, &num));
   for (PetscInt i = 0; i < level->num_owned; i++) {
     const PetscReal hi = PetscRealPart(a[(i * dim + axis) * 2]), lo = -PetscRealPart(a[(i * dim + axis) * 2 + 1]);
