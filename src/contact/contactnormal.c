@@ -214,7 +214,7 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
   if (partner->mortar) {
     PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, size, &other, &found));
   } else {
-    PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, size, &other, &found));
+    PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, own, size, &other, &found));
     if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // a plane has one normal, also for nodes beside it
       found = (PetscBool)(VectorDot(dim, other.normal, own->normal) < BESIDE);
   }

@@ -83,15 +83,18 @@ static PetscErrorCode ObliqueHoldsFindTurns_Private(Level *level, const Support 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether the obstacle is oblique to a direction that is held at node i. */
+/* Whether the obstacle is oblique to a direction that is held at node i. [in] n - direction of contact */
 static PetscErrorCode ObliqueHoldsMeetObstacle_Private(const Level *level, const FacetPartner *partner, PetscInt i,
-                                                       PetscReal size, const PetscReal across[], PetscBool *oblique)
+                                                       const PetscScalar n[], PetscReal size, const PetscReal across[],
+                                                       PetscBool *oblique)
 {
-  SurfacePoint other;
+  SurfacePoint own = {.normal = {0}}, other;
   PetscBool    known;
 
   PetscFunctionBeginUser;
-  PetscCall(ObstacleShape(&partner->spec->obstacle, level->dim, &level->coords[i * level->dim], size, &other, &known));
+  for (PetscInt k = 0; k < level->dim; k++) own.normal[k] = PetscRealPart(n[k]);
+  PetscCall(
+      ObstacleShape(&partner->spec->obstacle, level->dim, &level->coords[i * level->dim], &own, size, &other, &known));
   *oblique = (PetscBool)(known && PetscAbsReal(VectorDot(level->dim, other.normal, across)) > OBLIQUE);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -121,7 +124,6 @@ static PetscErrorCode ObliqueHoldsMark_Private(Level *level, const Support *supp
     weights[num++] = PetscRealPart(D[i]);
   }
   PetscCall(VecRestoreArrayRead(assembly->sums.D, &D));
-  PetscCall(VecRestoreArrayRead(assembly->directions, &n));
   *any = num ? PETSC_TRUE : PETSC_FALSE;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (*any && assembly->sums.M)
@@ -132,16 +134,19 @@ static PetscErrorCode ObliqueHoldsMark_Private(Level *level, const Support *supp
   PetscCall(VecGetArrayRead(turns, &turn));
   PetscCall(VecGetArrayRead(assembly->sums.measure, &measure));
   for (PetscInt a = 0; a < num; a++) {
-    const PetscReal size = PetscPowReal(PetscRealPart(measure[nodes[a]]), 1. / (dim - 1));
+    const PetscReal facets = PetscRealPart(measure[nodes[a]]) / SceneRing(level->scene, &level->coords[nodes[a] * dim]);
+    const PetscReal size   = PetscPowReal(facets, 1. / (dim - 1));
 
     if (!assembly->sums.M)
-      PetscCall(ObliqueHoldsMeetObstacle_Private(level, partner, nodes[a], size, &across[a * dim], &oblique[a]));
+      PetscCall(ObliqueHoldsMeetObstacle_Private(level, partner, nodes[a], &n[nodes[a] * dim], size, &across[a * dim],
+                                                 &oblique[a]));
     mark[nodes[a]] = oblique[a] || PetscRealPart(turn[nodes[a]]) == 0 ? 1 : 0;
   }
   PetscCall(VecRestoreArrayRead(assembly->sums.measure, &measure));
   PetscCall(VecRestoreArrayRead(turns, &turn));
   PetscCall(VecRestoreArray(*marks, &mark));
   PetscCall(VecDestroy(&turns));
+  PetscCall(VecRestoreArrayRead(assembly->directions, &n));
   PetscCall(PetscFree4(nodes, weights, across, oblique));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -145,12 +145,14 @@ static PetscBool ObstacleParabolaShape_Private(const SceneObstacle *parabola, Pe
   return ObstacleLevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
 }
 
-/* By central differences. */
-static PetscErrorCode ObstacleFormulaShape_Private(Expression gap, PetscInt dim, const PetscReal x[], PetscReal size,
-                                                   SurfacePoint *at, PetscBool *known)
+/* By central differences. The gap falls by as much as a point moves along the normal of the side: a formula
+   need not say so, since it is evaluated on the side alone. */
+static PetscErrorCode ObstacleFormulaShape_Private(Expression gap, PetscInt dim, const PetscReal x[],
+                                                   const SurfacePoint *own, PetscReal size, SurfacePoint *at,
+                                                   PetscBool *known)
 {
   const PetscReal h = DIFFERENCE * size;
-  PetscReal       y[3], value, there[3][2], corner[4], gradient[3] = {0.}, hessian[9] = {0.};
+  PetscReal       y[3], value, there[3][2], corner[4], gradient[3] = {0.}, hessian[9] = {0.}, lacks;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(y, x, dim));
@@ -177,12 +179,15 @@ static PetscErrorCode ObstacleFormulaShape_Private(Expression gap, PetscInt dim,
       hessian[k * dim + j] = hessian[j * dim + k] = (corner[3] - corner[1] - corner[2] + corner[0]) / (4 * h * h);
     }
   }
+  lacks = 1 + VectorDot(dim, gradient, own->normal);
+  for (PetscInt k = 0; k < dim; k++) gradient[k] -= lacks * own->normal[k];
+  for (PetscInt k = 0; k < dim * dim; k++) hessian[k] -= lacks * own->curvature[k];
   if (*known) *known = ObstacleLevelSetShape_Private(dim, gradient, hessian, GRAZING, at);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], PetscReal size,
-                             SurfacePoint *at, PetscBool *known)
+PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], const SurfacePoint *own,
+                             PetscReal size, SurfacePoint *at, PetscBool *known)
 {
   PetscFunctionBeginUser;
   *known = PETSC_TRUE;
@@ -194,7 +199,7 @@ PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const 
   case OBSTACLE_BALL:
   case OBSTACLE_CYLINDER: *known = ObstacleRoundShape_Private(obstacle, dim, x, at); break;
   case OBSTACLE_PARABOLA: *known = ObstacleParabolaShape_Private(obstacle, dim, x, at); break;
-  case OBSTACLE_EXPRESSION: PetscCall(ObstacleFormulaShape_Private(obstacle->gap, dim, x, size, at, known)); break;
+  case OBSTACLE_EXPRESSION: PetscCall(ObstacleFormulaShape_Private(obstacle->gap, dim, x, own, size, at, known)); break;
   default: SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "Obstacle of kind %d", (int)obstacle->kind);
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -12,10 +12,11 @@ PetscErrorCode ObstacleGap(const SceneObstacle *obstacle, PetscInt dim, const Pe
 
 /* Outward normal and curvature of the obstacle at its point nearest to x, or nearly so: those of its parallel
    surface through x. For a formula they are differences. Not collective.
-   [in] x - [dim]; [in] size - of a facet at x, for differences;
+   [in] x - [dim]; [in] own - the nonmortar side at x, from which a formula counts; [in] size - of a facet at
+   x, for differences;
    [out] at - curvature zero for a plane, exactly;
-   [out] known - not at the centre of a ball, nor where a formula has no slope */
-PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], PetscReal size,
-                             SurfacePoint *at, PetscBool *known);
+   [out] known - not at the centre of a ball, nor where a formula has no value */
+PetscErrorCode ObstacleShape(const SceneObstacle *obstacle, PetscInt dim, const PetscReal x[], const SurfacePoint *own,
+                             PetscReal size, SurfacePoint *at, PetscBool *known);
 
 #endif

@@ -53,6 +53,7 @@ mortise_scene_test(contact_shapes LONG OWN_RUNS CHECK contact_shapes.py)
 mortise_scene_test(contact_ring CHECK contact_ring.py)
 # Rigid shapes in space.
 mortise_scene_test(indentation CHECK indentation.py)
+mortise_scene_test(dome CHECK dome.py RANKS 1 3)
 mortise_scene_test(fixture CHECK fixture.py ARGS -cross_check)
 mortise_scene_test(roller CHECK roller.py RANKS 1 LONG_RANKS 3 ARGS -cross_check)
 mortise_scene_test(sleeve CHECK sleeve.py RANKS 1 LONG_RANKS 3 ARGS -cross_check -fit_nonmortar pipe:right -fit_obstacle_radius -1.99)
