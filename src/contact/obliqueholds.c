@@ -5,7 +5,7 @@
    part is real: the contact has its force, whether or not a support takes it from the mortar side as well. */
 #include "base/compat.h"
 #include "kernel/vector.h"
-#include "contact/heldfriction.h"
+#include "contact/slidingnodes.h"
 #include "contact/obliqueholds.h"
 #include "contact/obstacle.h"
 
@@ -127,7 +127,7 @@ static PetscErrorCode ObliqueHoldsMark_Private(Level *level, const Support *supp
   *any = num ? PETSC_TRUE : PETSC_FALSE;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (*any && assembly->sums.M)
-    PetscCall(HeldFrictionFindEver(level, support, assembly->sums.M, num, nodes, weights, oblique));
+    PetscCall(SlidingNodesFindEver(level, support, assembly->sums.M, num, nodes, weights, oblique));
   PetscCall(ObliqueHoldsFindTurns_Private(level, support, assembly, &turns));
   PetscCall(LevelCreateVec(level, 1, marks));
   PetscCall(VecGetArray(*marks, &mark));

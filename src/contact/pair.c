@@ -6,7 +6,7 @@
 #include "kernel/frame.h"
 #include "contact/pair.h"
 #include "contact/pairassembly.h"
-#include "contact/heldfriction.h"
+#include "contact/slidingnodes.h"
 #include "contact/heldrows.h"
 #include "contact/obliqueholds.h"
 #include "contact/smoothgap.h"
@@ -286,7 +286,7 @@ static PetscErrorCode PairSetShares_Private(Level *level, Pair pair)
 PetscErrorCode PairFindSliding(const Pair pair, const Support *support, PetscBool slides[])
 {
   PetscFunctionBeginUser;
-  PetscCall(HeldFrictionFind(pair->level, support, pair->M, pair->num, pair->nodes, pair->D, slides));
+  PetscCall(SlidingNodesFind(pair->level, support, pair->M, pair->num, pair->nodes, pair->D, slides));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -298,7 +298,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   PetscFunctionBeginUser;
   PetscCall(QuadraticBasisCreate(level, &sums->carrying.facets, sums->carrier, &pair->to_nodal, &pair->from_nodal));
   if (ScenePairHasFriction(pair->spec))
-    PetscCall(HeldFrictionRemove(level, support, &sums->carrying.facets, sums, assembly->status));
+    PetscCall(SlidingNodesRemove(level, support, &sums->carrying.facets, sums, assembly->status));
   PetscCall(RedistributionApply(level, &sums->carrying.facets, assembly->status, sums, &pair->D_other));
   if (pair->spec->type == PAIR_TIED && sums->M)
     PetscCall(HeldRowsPass(level, support, &sums->carrying.facets, assembly->status, sums, pair));
@@ -312,7 +312,7 @@ static PetscErrorCode PairFinish_Private(Level *level, const Support *support, P
   sums->boundary     = NULL;
   if (ScenePairHasFriction(pair->spec)) {
     PetscCall(PetscMalloc1(pair->num, &pair->slides));
-    PetscCall(HeldFrictionFindEver(level, support, pair->M, pair->num, pair->nodes, pair->D, pair->slides));
+    PetscCall(SlidingNodesFindEver(level, support, pair->M, pair->num, pair->nodes, pair->D, pair->slides));
   }
   PairTakePoints_Private(assembly, pair);
   PetscCall(PairAssemblyDestroy(assembly));

@@ -1,16 +1,16 @@
-/* heldfriction.c -- nodes whose friction supports would take.
+/* slidingnodes.c -- see the header.
 
-   A support fixes such a node along its partner, which moves otherwise. The node has no unknown there on
-   which friction could act. Without it, the resultant of friction would lack the node's part of the side. */
+   A support fixes such a node along its partner. The node has no unknown there on which friction could act.
+   Without it, the resultant of friction would lack the node's part of the side. */
 #include "base/compat.h"
-#include "contact/heldfriction.h"
+#include "contact/slidingnodes.h"
 #include "kernel/vector.h"
 
 /* Displacements below this part of the largest prescribed one are roundoff, and so are such parts of D. */
 static const PetscReal STUCK = 1e-9;
 
 /* M times the values of one component at the mortar side. [in,out] component - owned nodes [num_owned] */
-static PetscErrorCode HeldFrictionAverage_Private(Level *level, Mat M, PetscReal component[])
+static PetscErrorCode SlidingNodesAverage_Private(Level *level, Mat M, PetscReal component[])
 {
   Vec                own, sums;
   const PetscScalar *value;
@@ -31,8 +31,8 @@ static PetscErrorCode HeldFrictionAverage_Private(Level *level, Mat M, PetscReal
 
 /* What supports prescribe at the mortar side, by component. Collective.
    [out] moved - M times the displacements [dim][num_owned];
-   [out] held - M times sum d d' over the held directions d, symmetric [dim][dim][num_owned] */
-static PetscErrorCode HeldFrictionGetMortar_Private(Level *level, const Support *support, Mat M, PetscReal moved[],
+   [out] held - M times sum d d' over the held directions d, lower triangle [dim][dim][num_owned] */
+static PetscErrorCode SlidingNodesGetMortar_Private(Level *level, const Support *support, Mat M, PetscReal moved[],
                                                     PetscReal held[])
 {
   const PetscInt dim = support->dim, n = level->num_owned;
@@ -44,18 +44,18 @@ static PetscErrorCode HeldFrictionGetMortar_Private(Level *level, const Support 
 
       for (PetscInt k = 0; k < dim; k++) {
         moved[k * n + i] += support->values[i * dim + j] * d[k];
-        for (PetscInt l = 0; l < dim; l++) held[(k * dim + l) * n + i] += d[k] * d[l];
+        for (PetscInt l = 0; l <= k; l++) held[(k * dim + l) * n + i] += d[k] * d[l];
       }
     }
   for (PetscInt k = 0; k < dim; k++) {
-    PetscCall(HeldFrictionAverage_Private(level, M, &moved[k * n]));
-    for (PetscInt l = 0; l < dim; l++) PetscCall(HeldFrictionAverage_Private(level, M, &held[(k * dim + l) * n]));
+    PetscCall(SlidingNodesAverage_Private(level, M, &moved[k * n]));
+    for (PetscInt l = 0; l <= k; l++) PetscCall(SlidingNodesAverage_Private(level, M, &held[(k * dim + l) * n]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether a node slides along its held direction j. [in] n - owned nodes; [in] moved, held - or NULL */
-static PetscBool HeldFrictionSlides_Private(const Support *support, PetscInt n, PetscInt i, PetscInt j, PetscReal D,
+static PetscBool SlidingNodesSlides_Private(const Support *support, PetscInt n, PetscInt i, PetscInt j, PetscReal D,
                                             const PetscReal moved[], const PetscReal held[])
 {
   const PetscInt   dim   = support->dim;
@@ -65,7 +65,7 @@ static PetscBool HeldFrictionSlides_Private(const Support *support, PetscInt n, 
   if (held) {
     for (PetscInt k = 0; k < dim; k++) {
       given += d[k] * moved[k * n + i];
-      for (PetscInt l = 0; l < dim; l++) share += d[k] * held[(k * dim + l) * n + i] * d[l];
+      for (PetscInt l = 0; l <= k; l++) share += (l < k ? 2 : 1) * d[k] * held[(k * dim + l) * n + i] * d[l];
     }
     if (PetscAbsReal(share) <= STUCK * D) return PETSC_TRUE;
     given /= share;
@@ -73,7 +73,7 @@ static PetscBool HeldFrictionSlides_Private(const Support *support, PetscInt n, 
   return (PetscBool)(PetscAbsReal(support->values[i * dim + j] - given) > STUCK * support->max_value);
 }
 
-PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+PetscErrorCode SlidingNodesFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
                                 const PetscReal D[], PetscBool slides[])
 {
   const PetscInt dim = level->dim, n = level->num_owned;
@@ -89,17 +89,17 @@ PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, Pet
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   if (M) {
     PetscCall(PetscCalloc2(dim * n, &moved, dim * dim * n, &held));
-    PetscCall(HeldFrictionGetMortar_Private(level, support, M, moved, held));
+    PetscCall(SlidingNodesGetMortar_Private(level, support, M, moved, held));
   }
   for (PetscInt a = 0; a < num; a++)
     for (PetscInt j = 0; j < support->count[nodes[a]]; j++)
-      if (HeldFrictionSlides_Private(support, n, nodes[a], j, D[a], moved, held)) slides[a] = PETSC_TRUE;
+      if (SlidingNodesSlides_Private(support, n, nodes[a], j, D[a], moved, held)) slides[a] = PETSC_TRUE;
   PetscCall(PetscFree2(moved, held));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Whether a held node of any rank does not slide. Collective. */
-static PetscErrorCode HeldFrictionRests_Private(const Level *level, const Support *support, PetscInt num,
+static PetscErrorCode SlidingNodesRests_Private(const Level *level, const Support *support, PetscInt num,
                                                 const PetscInt nodes[], const PetscBool slides[], PetscBool *rests)
 {
   PetscFunctionBeginUser;
@@ -109,7 +109,7 @@ static PetscErrorCode HeldFrictionRests_Private(const Level *level, const Suppor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode HeldFrictionFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+PetscErrorCode SlidingNodesFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
                                     const PetscReal D[], PetscBool slides[])
 {
   const Scene     scene   = level->scene;
@@ -118,18 +118,18 @@ PetscErrorCode HeldFrictionFindEver(Level *level, const Support *support, Mat M,
   PetscBool      *then, rests;
 
   PetscFunctionBeginUser;
-  PetscCall(HeldFrictionFind(level, support, M, num, nodes, D, slides));
+  PetscCall(SlidingNodesFind(level, support, M, num, nodes, D, slides));
   PetscCall(PetscMalloc1(num, &then));
-  PetscCall(HeldFrictionRests_Private(level, support, num, nodes, slides, &rests));
+  PetscCall(SlidingNodesRests_Private(level, support, num, nodes, slides, &rests));
   for (PetscInt k = 0; k < scene->steps.num && rests; k++) {
     Support other;
 
     PetscCall(SceneSetTime(scene, scene->steps.t[k]));
     PetscCall(SupportCreate(level, scene, &other));
-    PetscCall(HeldFrictionFind(level, &other, M, num, nodes, D, then));
+    PetscCall(SlidingNodesFind(level, &other, M, num, nodes, D, then));
     PetscCall(SupportDestroy(&other));
     for (PetscInt a = 0; a < num; a++) slides[a] = (PetscBool)(slides[a] || then[a]);
-    PetscCall(HeldFrictionRests_Private(level, support, num, nodes, slides, &rests));
+    PetscCall(SlidingNodesRests_Private(level, support, num, nodes, slides, &rests));
   }
   if (scene->time != now) PetscCall(SceneSetTime(scene, now));
   scene->changed = changed;
@@ -138,7 +138,7 @@ PetscErrorCode HeldFrictionFindEver(Level *level, const Support *support, Mat M,
 }
 
 /* Marks the nodes by 1 in a vector. [out] marks - ghosted, owned by the caller; [out] any - on any rank */
-static PetscErrorCode HeldFrictionMark_Private(Level *level, const Support *support, const MortarIntegrals *sums,
+static PetscErrorCode SlidingNodesMark_Private(Level *level, const Support *support, const MortarIntegrals *sums,
                                                const MultiplierStatus status[], Vec *marks, PetscBool *any)
 {
   PetscInt           num = 0, *nodes;
@@ -157,7 +157,7 @@ static PetscErrorCode HeldFrictionMark_Private(Level *level, const Support *supp
     weights[num++] = PetscRealPart(D[i]);
   }
   PetscCall(VecRestoreArrayRead(sums->D, &D));
-  PetscCall(HeldFrictionFindEver(level, support, sums->M, num, nodes, weights, slides));
+  PetscCall(SlidingNodesFindEver(level, support, sums->M, num, nodes, weights, slides));
   PetscCall(LevelCreateVec(level, 1, marks));
   PetscCall(VecGetArray(*marks, &mark));
   for (PetscInt a = 0; a < num; a++) {
@@ -171,7 +171,7 @@ static PetscErrorCode HeldFrictionMark_Private(Level *level, const Support *supp
 }
 
 /* Marked nodes count as removed. [in] marks - owned values count; [in,out] status - [num_nodes] */
-static PetscErrorCode HeldFrictionSplit_Private(Level *level, Vec marks, MultiplierStatus status[])
+static PetscErrorCode SlidingNodesSplit_Private(Level *level, Vec marks, MultiplierStatus status[])
 {
   Vec                local;
   const PetscScalar *mark;
@@ -188,7 +188,7 @@ static PetscErrorCode HeldFrictionSplit_Private(Level *level, Vec marks, Multipl
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode HeldFrictionRemove(Level *level, const Support *support, const Facets *facets,
+PetscErrorCode SlidingNodesRemove(Level *level, const Support *support, const Facets *facets,
                                   const MortarIntegrals *sums, MultiplierStatus status[])
 {
   MultiplierStatus *split;
@@ -197,11 +197,11 @@ PetscErrorCode HeldFrictionRemove(Level *level, const Support *support, const Fa
   Vec               marks, ones, taken;
 
   PetscFunctionBeginUser;
-  PetscCall(HeldFrictionMark_Private(level, support, sums, status, &marks, &any));
+  PetscCall(SlidingNodesMark_Private(level, support, sums, status, &marks, &any));
   if (any) {
     PetscCall(PetscMalloc1(level->num_nodes, &split));
     PetscCall(PetscArraycpy(split, status, level->num_nodes));
-    PetscCall(HeldFrictionSplit_Private(level, marks, split));
+    PetscCall(SlidingNodesSplit_Private(level, marks, split));
     PetscCall(RedistributionWeights(level, facets, split, sums, &W));
     PetscCall(PetscFree(split));
   }
@@ -210,7 +210,7 @@ PetscErrorCode HeldFrictionRemove(Level *level, const Support *support, const Fa
     PetscCall(VecSet(ones, 1));
     PetscCall(MatMultTranspose(W, ones, taken));
     PetscCall(VecPointwiseMult(marks, marks, taken));
-    PetscCall(HeldFrictionSplit_Private(level, marks, status));
+    PetscCall(SlidingNodesSplit_Private(level, marks, status));
     PetscCall(VecDestroy(&ones));
     PetscCall(VecDestroy(&taken));
     PetscCall(MatDestroy(&W));

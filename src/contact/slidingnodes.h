@@ -1,6 +1,6 @@
-/* heldfriction.h -- nodes whose friction supports would take (section 16). */
-#ifndef MORTISE_HELDFRICTION_H
-#define MORTISE_HELDFRICTION_H
+/* slidingnodes.h -- nodes that a support holds along a partner which moves otherwise (sections 5, 16). */
+#ifndef MORTISE_SLIDINGNODES_H
+#define MORTISE_SLIDINGNODES_H
 
 #include "contact/pair.h"
 #include "contact/redistribution.h"
@@ -10,18 +10,18 @@
    same value, and nothing slides. Collective.
    [in] M - of the pair, or NULL for an obstacle; [in] nodes, D - of this rank, weights D_aa [num];
    [out] slides - [num] */
-PetscErrorCode HeldFrictionFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+PetscErrorCode SlidingNodesFind(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
                                 const PetscReal D[], PetscBool slides[]);
 
 /* The same, at the present time or at any load step. Then nodes with multipliers are those of all steps.
    Collective. */
-PetscErrorCode HeldFrictionFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
+PetscErrorCode SlidingNodesFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
                                     const PetscReal D[], PetscBool slides[]);
 
 /* Removes these nodes from a pair with friction. Their neighbours take over the friction and the pressure of
    their part of the side (eq. 5.1). A node without a path to a kept node stays. Collective.
    [in] sums - before RedistributionApply(); [in,out] status - of every local node [num_nodes] */
-PetscErrorCode HeldFrictionRemove(Level *level, const Support *support, const Facets *facets,
+PetscErrorCode SlidingNodesRemove(Level *level, const Support *support, const Facets *facets,
                                   const MortarIntegrals *sums, MultiplierStatus status[]);
 
 #endif
