@@ -102,7 +102,9 @@ static PetscErrorCode PatchSpreadLabels_Private(Level *level, const Facets *face
     for (PetscInt i = 0; i < level->num_nodes; i++) {
       const PetscInt root = DisjointSetsFind(parent, i);
 
-      if (PetscRealPart(label[i]) > PetscRealPart(label[root])) label[root] = label[i];
+      if (PetscRealPart(label[i]) <= PetscRealPart(label[root])) continue;
+      label[root] = label[i];
+      changed     = PETSC_TRUE;
     }
     for (PetscInt i = 0; i < level->num_nodes; i++) {
       const PetscInt root = DisjointSetsFind(parent, i);

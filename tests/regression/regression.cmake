@@ -91,6 +91,8 @@ mortise_scene_test(tied_discs CHECK tied_discs.py RANKS 1 LONG_RANKS 3 ARGS -cro
 # Connected patches of contact, in the plane and in space.
 mortise_scene_test(patches CHECK patches.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(patches_space CHECK patches_space.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(patches_ranks SCENE keystone CHECK patches_ranks.py RANKS 4 ONLY_RANKS "as many as cells of a body"
+  ARGS -left_dm_plex_box_faces 2,2 -right_dm_plex_box_faces 2,2 -wedge_dm_plex_box_faces 2,2)
 mortise_scene_test(quarter_patch SCENE hertz3d CHECK quarter_patch.py RANKS 1 LONG_RANKS 3 ARGS -order 1 -sphere_dm_plex_box_faces 9,9,4 -block_dm_plex_box_faces 10,10,4)
 mortise_scene_test(validity CHECK validity.py)
 

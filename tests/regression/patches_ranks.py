@@ -1,0 +1,11 @@
+"""Ranks with one facet each join what touches: the patches of one rank. Two nodes of a facet had kept two labels, and a side of two facets two patches."""
+from judge import near, same
+
+
+def judge(run):
+    alone = run.again(ranks=1, name="alone")
+    for name, pair in run.summary["pairs"].items():
+        mine, other = pair["patches"], alone.pair(name)["patches"]
+        same(f"patches of {name}", len(mine), len(other))
+        for key in ("normal_force", "area", "nodes", "facets", "extent"):
+            near(f"{key} of {name}", [patch[key] for patch in mine], [patch[key] for patch in other], relative=1e-9)
