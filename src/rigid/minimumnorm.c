@@ -43,7 +43,9 @@ static PetscErrorCode MinimumNormFindPressed_Private(VI vi, Solvability s, Vec u
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     largest = PetscMax(largest, PetscAbsReal(PetscRealPart(lambda[r])));
     weights += vi->row_D[r];
+    if (vi->slip_origin) u_max = PetscMax(u_max, PetscAbsReal(vi->slip_origin[r])); // u went on from there
   }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &u_max, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &weights, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
   if (weights > 0) largest = PetscMax(largest, forces / weights); // if all pressures are rounding

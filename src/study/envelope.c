@@ -3,6 +3,9 @@
 #include "base/compat.h"
 #include "study/marking.h"
 
+/* Displacements below this part of earlier ones are rounding. */
+static const PetscReal ROUNDING = 1e-12;
+
 PetscErrorCode EnvelopeCreate(PetscInt num, Envelope *envelope)
 {
   PetscFunctionBeginUser;
@@ -29,6 +32,24 @@ PetscErrorCode EnvelopeDestroy(Envelope *envelope)
 static const SolvedMesh *EnvelopeGetLast_Private(const Envelope *envelope, PetscInt i)
 {
   return &envelope->step[i].mesh[envelope->step[i].num - 1];
+}
+
+/* A solution that is rounding of an earlier one, as where a body is let go, has no error. Collective. */
+static PetscErrorCode EnvelopeDropRounding_Private(Envelope *envelope, PetscInt i)
+{
+  SolvedMesh *mesh    = &envelope->step[i].mesh[envelope->step[i].num - 1];
+  PetscReal   largest = 0, size;
+
+  PetscFunctionBeginUser;
+  for (PetscInt j = 0; j <= i; j++) {
+    PetscCall(VecNorm(envelope->u[j], NORM_INFINITY, &size));
+    largest = PetscMax(largest, size);
+  }
+  if (size <= ROUNDING * largest) {
+    mesh->norm   = 0;
+    mesh->missed = PETSC_FALSE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i)
@@ -72,6 +93,7 @@ PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal se
   PetscCall(VecDestroy(&envelope->u[i]));
   envelope->u[i] = run->fields->u;
   PetscCall(MeshHistoryAdd(&envelope->step[i], run, seconds));
+  PetscCall(EnvelopeDropRounding_Private(envelope, i));
   PetscCall(MeshHistoryDescribe(&envelope->step[i], run));
   if (EnvelopeGetError(envelope, i) > EnvelopeGetError(envelope, envelope->worst)) envelope->worst = i;
   PetscCall(EnvelopeTakeCells_Private(envelope, EnvelopeGetLast_Private(envelope, i), run));
