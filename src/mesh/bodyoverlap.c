@@ -2,7 +2,9 @@
 
    Causes are a forgotten move, mixed units, or a body drawn within another. Without a pair nothing else
    detects the overlap; a pair treats it as an interference fit. Points of the boundary of one body, with the
-   middles of facets, are searched inside the other. Bodies whose boxes do not overlap need no search. */
+   middles of facets, are searched inside the other. Bodies whose boxes do not overlap need no search. Round
+   sides that fit overlap by the rise of their curves over facets. */
+#include "kernel/arc.h"
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
 #include "base/compat.h"
@@ -10,6 +12,7 @@
 #include "kernel/vector.h"
 #include "mesh/insidebody.h"
 #include "mesh/meshimpl.h"
+#include "mesh/sideshape.h"
 
 /* An interference above this part of the smallest extent of a body exceeds small strains. */
 static const PetscReal FIT = 0.1;
@@ -305,6 +308,55 @@ static PetscErrorCode OverlapFind_Private(const Level *level, const Boundary *bo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How far the curve over a facet is from it: that of its middle nodes, or of the normals at its corners.
+   [in] normal - of its nodes [F][dim] */
+static PetscReal FacetGetRise_Private(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[])
+{
+  const PetscInt    dim  = level->dim;
+  const ElementType type = facets->type[f], linear = ElementLinear(type);
+  PetscReal         X[3 * F], bulge[3 * F], most = 0;
+
+  VectorGather(dim, ElementNumNodes(type), &facets->nodes[f * F], level->coords, X);
+  (void)ArcBulge(linear, X, normal, bulge);
+  for (PetscInt e = 0; e < ElementNumEdges(linear); e++) {
+    const PetscInt *ends = ElementEdgeNodes(linear, e), middle = ElementNumNodes(linear) + e;
+    PetscReal       way[3] = {0};
+
+    for (PetscInt k = 0; k < dim && ElementOrder(type) > 1; k++)
+      way[k] = X[middle * dim + k] - (X[ends[0] * dim + k] + X[ends[1] * dim + k]) / 2;
+    most = PetscMax(most, PetscMax(VectorNorm(dim, way), VectorNorm(dim, &bulge[middle * dim])));
+  }
+  return most;
+}
+
+/* The largest rise of curves over the facets of a body next to a point. Collective. */
+static PetscErrorCode OverlapGetRise_Private(Level *level, PetscInt body, const PetscReal at[], PetscReal *rise)
+{
+  const PetscInt dim = level->dim;
+  SideShape      shape;
+  Facets         facets;
+
+  PetscFunctionBeginUser;
+  *rise = 0;
+  PetscCall(LevelGetBoundary(level, body, &facets));
+  PetscCall(SideShapeCreate(level, &facets, &shape));
+  for (PetscInt f = 0; f < facets.num; f++) {
+    const ElementType linear = ElementLinear(facets.type[f]);
+    const PetscInt    n      = ElementNumNodes(linear);
+    PetscReal         X[3 * F], way[3];
+
+    VectorGather(dim, n, &facets.nodes[f * F], level->coords, X);
+    for (PetscInt k = 0; k < dim; k++) way[k] = -at[k];
+    for (PetscInt i = 0; i < n * dim; i++) way[i % dim] += X[i] / (PetscReal)n;
+    if (VectorNorm(dim, way) <= ElementLongestEdge(linear, dim, X))
+      *rise = PetscMax(*rise, FacetGetRise_Private(level, &facets, f, &shape.normal[f * F * dim]));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, rise, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  PetscCall(SideShapeDestroy(&shape));
+  PetscCall(FacetsDestroy(&facets));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether a pair refuses the overlap in any case: the user's reach is smaller. */
 static PetscBool OverlapIsRefused_Private(const struct _n_Scene *scene, PetscInt a, PetscInt b, PetscReal depth)
 {
@@ -345,7 +397,7 @@ static PetscErrorCode OverlapWarn_Private(const Level *level, PetscInt a, PetscI
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodyOverlapWarn(const Level *level)
+PetscErrorCode BodyOverlapWarn(Level *level)
 {
   const struct _n_Scene *scene = level->scene;
   const PetscInt         n     = scene->num_bodies;
@@ -362,7 +414,8 @@ PetscErrorCode BodyOverlapWarn(const Level *level)
       const char     *pair;
       const PetscReal limit   = OverlapGetLimit_Private(scene, a, b, box, &pair);
       Deepest         deepest = {0, {0, 0, 0}};
-      PetscBool       meet    = PETSC_TRUE;
+      PetscReal       rise[2];
+      PetscBool       meet = PETSC_TRUE;
 
       for (PetscInt k = 0; k < level->dim; k++)
         meet = (PetscBool)(meet && PetscMin(box[a * BOX + 3 + k], box[b * BOX + 3 + k]) -
@@ -374,7 +427,11 @@ PetscErrorCode BodyOverlapWarn(const Level *level)
       PetscCall(OverlapFind_Private(level, &boundary, a, b, box, limit, &deepest));
       PetscCall(OverlapFind_Private(level, &boundary, b, a, box, limit, &deepest));
       if (OverlapIsRefused_Private(scene, a, b, deepest.depth)) continue;
-      if (deepest.depth > limit) PetscCall(OverlapWarn_Private(level, a, b, pair, deepest.depth, deepest.at));
+      if (deepest.depth <= limit) continue;
+      PetscCall(OverlapGetRise_Private(level, a, deepest.at, &rise[0]));
+      PetscCall(OverlapGetRise_Private(level, b, deepest.at, &rise[1]));
+      if (deepest.depth > limit + rise[0] + rise[1])
+        PetscCall(OverlapWarn_Private(level, a, b, pair, deepest.depth, deepest.at));
     }
   }
   if (any) PetscCall(PetscFree3(boundary.body, boundary.nodes, boundary.type));

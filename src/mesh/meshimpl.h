@@ -73,7 +73,7 @@ PetscErrorCode UnjoinedPiecesWarn(const SceneBody *body, const BodyList *list);
 
 /* Warns of bodies that overlap away from the sides of a pair between them; tied bodies may overlap.
    Collective. */
-PetscErrorCode BodyOverlapWarn(const Level *level);
+PetscErrorCode BodyOverlapWarn(Level *level);
 
 /* Number of coarser levels of boxes: how often the cells of all bodies can be twice as large, if solvers use
    levels.

@@ -9,7 +9,7 @@ import math
 import numpy as np
 import roundmesh
 from judge import LONG
-from scenes import RIM, Findings, Scene, judge_force
+from scenes import RIM, Findings, Scene, judge_force, require
 
 FIXED = {"bc_displacement": "outer", "bc_displacement_outer": "0,0"}
 
@@ -59,6 +59,17 @@ def between_plates(_, order, swapped):
     return scene, np.array([0, 3 * math.pi * 1.44])
 
 
+def unpaired(folder, order, aside):
+    """A pin that fills a hole, turned by half a facet, without a pair of their sides. Facets overlap; bodies do where the pin is moved aside."""
+    scene = Scene(order=order)
+    for name, inner, outer, turned in (("pin", 0.5, 1, 0), ("hub", 1, 1.6, math.pi / 24)):
+        scene.file(name, roundmesh.ring(inner, outer, 24, 3, order, turned, (aside if name == "pin" else 0, 0)), folder)
+        scene.pairs.append(f"{name}_rim")
+        scene.give(**{f"{name}_rim_nonmortar": f"{name}:{'inner' if name == 'pin' else 'outer'}", f"{name}_rim_obstacle": "expression",
+                      f"{name}_rim_obstacle_gap": 1})
+    return scene
+
+
 CASES = [(trough, 0.2), (trough, 0.01), (press,), (rims, 0.7), (follower,), (between_plates,)]
 
 
@@ -71,4 +82,10 @@ def judge(run):
                 scene, expected = make(run.folder / "meshes" / name, order, swapped, *more)
                 with found.case():
                     judge_force(name, scene.solve(run, name), "joint", expected, 1e-6, swapped=swapped)
+    for order, aside in ((1, 0), (2, 0), (1, 0.03), (2, 0.03)):
+        name = f"unpaired_{order}_{aside}"
+        with found.case():
+            done = unpaired(run.folder / "meshes" / name, order, aside).solve(run, name, "-check")
+            told = "overlapping_bodies" in [warning["code"] for warning in done.summary["warnings"]]
+            require(told == (aside > 0), f"{name}: bodies are {'' if told else 'not '}said to overlap")
     found.end()
