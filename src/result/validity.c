@@ -143,7 +143,10 @@ static PetscErrorCode ValidityOfCells_Private(Fields fields, Largest largest[VAL
   *strain                        = found[STRAIN].value;
   largest[VALIDITY_STRAIN]       = found[NEGLECTED];
   largest[VALIDITY_STRAIN].value = PetscSqr(found[NEGLECTED].value);
-  if (*strain > 0) largest[VALIDITY_STRAIN].value /= *strain;
+  if (*strain > STRAINLESS * reference)
+    largest[VALIDITY_STRAIN].value /= *strain;
+  else
+    largest[VALIDITY_STRAIN].value = 0; // rigid motions have no strain, and no error of it
   largest[VALIDITY_ROTATION] = found[ROTATION];
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -18,3 +18,4 @@ mortise_scene_test(edges_solid SCENE tower CHECK edges_solid.py RANKS 1 LONG_RAN
 mortise_scene_test(rings_file CHECK rings_file.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(names CHECK names.py RANKS 1 3)
 mortise_scene_test(turned CHECK turned.py)
+mortise_scene_test(turned_rigidly CHECK turned_rigidly.py RANKS 1 LONG_RANKS 3)
