@@ -50,6 +50,18 @@ PetscErrorCode FacetsRaise(const Level *level, Facets *facets)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How far the middle node of an edge is from an arc with a rise along the offset. In the plane it may be
+   elsewhere on the arc; in space that would change the rim of a side. [in] way - from the arc's middle */
+static PetscReal MiddleDistance_Private(PetscInt dim, const PetscReal chord[], const PetscReal offset[],
+                                        const PetscReal way[])
+{
+  const PetscReal rise = VectorNorm(dim, offset), square = VectorDot(dim, chord, chord);
+  const PetscReal along = VectorDot(dim, way, chord);
+
+  if (dim == 3 || !(rise > 0)) return VectorNorm(dim, way);
+  return PetscAbsReal(VectorDot(dim, way, offset) / rise + 4 * rise * PetscSqr(along / square));
+}
+
 PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[])
 {
   const PetscInt    dim  = level->dim;
@@ -60,15 +72,16 @@ PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, co
   for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
     const PetscInt   a = ElementEdgeNodes(type, e)[0] * dim, b = ElementEdgeNodes(type, e)[1] * dim;
     const PetscReal *middle = &X[(ElementNumNodes(ElementLinear(type)) + e) * dim];
-    PetscReal        offset[3], way[3], turn[3];
+    PetscReal        offset[3], chord[3], way[3], turn[3];
 
     ArcOffset(dim, &X[a], &normal[a], &X[b], &normal[b], offset);
     for (PetscInt k = 0; k < dim; k++) {
-      way[k]  = middle[k] - (X[a + k] + X[b + k]) / 2 - offset[k];
-      turn[k] = (normal[b + k] - normal[a + k]) / 2;
+      chord[k] = X[b + k] - X[a + k];
+      way[k]   = middle[k] - (X[a + k] + X[b + k]) / 2 - offset[k];
+      turn[k]  = (normal[b + k] - normal[a + k]) / 2;
     }
-    away    = PetscMax(away, VectorNorm(dim, way));
-    allowed = PetscMax(allowed, VectorNorm(dim, offset) * VectorDot(dim, turn, turn) / 16);
+    away    = PetscMax(away, MiddleDistance_Private(dim, chord, offset, way));
+    allowed = PetscMax(allowed, VectorNorm(dim, offset) * VectorDot(dim, turn, turn) / 2);
   }
   return (PetscBool)(away <= allowed && allowed > 0);
 }

@@ -8,8 +8,9 @@
 
 /* Adds the middle nodes to facets of first order, in bodies of order 2. Not collective. */
 PetscErrorCode FacetsRaise(const Level *level, Facets *facets);
-/* Whether the middle nodes of a facet of second order are as near to the arcs of its corners' normals as
-   parabolas are: at most s gamma^2/16 away. False for a flat facet. Not collective. [in] normal - [F][dim] */
+/* Whether refinement of a facet of second order may follow arcs: its middle nodes are at most s gamma^2/2
+   from those of its corners' normals. Arcs over halves of its edges are eight times as near at least, and so
+   as near as the parabolas. False for a flat facet. Not collective. [in] normal - [F][dim] */
 PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[]);
 
 /* Marks edges and facets of the DM that stay parabolas. Refinement marks what they are divided into.

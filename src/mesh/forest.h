@@ -25,6 +25,13 @@ typedef struct {
   PetscReal normal[3]; /* of the smooth side there */
 } SideCorner;
 
+/* The middle of an edge of the first list, on a facet of a smooth side, where a file of second order has a
+   node. */
+typedef struct {
+  PetscInt  ends[2]; /* vertices */
+  PetscReal normal[3];
+} SideMiddle;
+
 /* Smooth sides of a body from a file (eq. 4.5). The normals at two vertices determine the
    curve between them and the normal at its middle. So the position of a vertex does not depend on refinement
    elsewhere. */
@@ -35,6 +42,8 @@ typedef struct {
   PetscInt    num_vertices, room;
   PetscInt   *start;  /* [num_vertices+1] */
   SideCorner *corner; /* of each vertex [start[num_vertices]; room] */
+  SideMiddle *middle; /* of each facet's edges, by its first entry; NULL but for a file of second order
+                         [num_entries][ELEMENT_MAX_FACET_NODES] */
 } TreeArcs;
 
 /* One body. */

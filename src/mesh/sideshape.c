@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "mesh/arcnormals.h"
+#include "mesh/sidecurves.h"
 #include "mesh/sidehanging.h"
 #include "mesh/sidequadrics.h"
 #include "mesh/sidesums.h"
@@ -503,8 +504,9 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
   if (turns) {
     PetscCall(SideSumAtNodes(level, facets, 1, shape->ridge, side.share));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
-    if (file) PetscCall(PetscCalloc1(num * dim, &exact));
+    if (file || dim == 2) PetscCall(PetscCalloc1(num * dim, &exact));
     if (file) PetscCall(SideQuadricsGetNormals(level, facets, shape, side.share, exact));
+    if (dim == 2) PetscCall(SideCurvesGetNormals(level, facets, shape, side.share, exact));
     SideShapeTake_Private(&side, exact);
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
     PetscCall(SideShapeSetEnds_Private(&side, END_TURN, INNER_TURN, known));

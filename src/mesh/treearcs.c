@@ -131,6 +131,45 @@ static PetscErrorCode TreeDropParabolas_Private(Tree *tree, const Level *level, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The normals in the middle of edges. [in] num_round - facets that have normals, of second order
+   [num_round][F][dim] */
+static PetscErrorCode TreeSetMiddles_Private(Tree *tree, const Level *level, const Facets *facets,
+                                             const PetscInt entry[], PetscInt num_round, const PetscReal normal[])
+{
+  const PetscInt dim = level->dim, first = tree->list.num_cells;
+  PetscInt      *point;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelGetNodePoints(level, &point));
+  PetscCall(PetscCalloc1(tree->num_entries * F, &tree->arcs.middle));
+  for (PetscInt f = 0; f < num_round; f++) {
+    const ElementType linear = TreeFacetType_Private(tree);
+
+    for (PetscInt e = 0; e < ElementNumEdges(linear); e++) {
+      SideMiddle *middle = &tree->arcs.middle[entry[f] * F + e];
+
+      for (PetscInt i = 0; i < 2; i++)
+        middle->ends[i] = point[facets->nodes[f * F + ElementEdgeNodes(linear, e)[i]]] - first;
+      PetscCall(PetscArraycpy(middle->normal, &normal[(f * F + ElementNumNodes(linear) + e) * dim], dim));
+    }
+  }
+  PetscCall(PetscFree(point));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The middle of an edge of a facet, if the file has a node there; else NULL. */
+static const SideMiddle *TreeArcsFindMiddle_Private(const TreeArcs *arcs, PetscInt facet, PetscInt a, PetscInt b)
+{
+  for (PetscInt e = 0; e < F && arcs->middle && arcs->round[facet]; e++) {
+    const SideMiddle *middle = &arcs->middle[facet * F + e];
+
+    if (PetscMin(a, b) == PetscMin(middle->ends[0], middle->ends[1]) &&
+        PetscMax(a, b) == PetscMax(middle->ends[0], middle->ends[1]))
+      return middle;
+  }
+  return NULL;
+}
+
 /* Whether some edge of facets with these normals bends. */
 static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, const PetscReal normal[])
 {
@@ -219,6 +258,16 @@ static PetscErrorCode BodyListRaise_Private(BodyList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether an edge is one of the file, which has a node in its middle. */
+static PetscBool TreeArcsIsOfFile_Private(const TreeArcs *arcs, PetscInt a, PetscInt b)
+{
+  if (!arcs->middle || PetscMax(a, b) >= arcs->num_vertices) return PETSC_FALSE;
+  for (PetscInt i = arcs->start[a]; i < arcs->start[a + 1]; i++) {
+    if (TreeArcsFindMiddle_Private(arcs, arcs->corner[i].facet, a, b)) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
 /* The curve of an edge whose ends are on facets in common. Returns whether one of these is smooth.
    [out] offset - of its middle [dim]; zero where the curve is straight */
 static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords[], PetscInt a, PetscInt b,
@@ -266,7 +315,8 @@ static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
       const PetscInt a = nodes[ElementEdgeNodes(type, e)[0]], b = nodes[ElementEdgeNodes(type, e)[1]];
       PetscReal      offset[3];
 
-      if (!TreeArcsOffset_Private(tree, list->coords, a, b, offset)) continue;
+      if (TreeArcsIsOfFile_Private(&tree->arcs, a, b) || !TreeArcsOffset_Private(tree, list->coords, a, b, offset))
+        continue;
       any = PETSC_TRUE;
       for (PetscInt d = 0; d < dim; d++)
         list->coords[nodes[tree->mesh.corners + e] * dim + d] =
@@ -300,6 +350,8 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   arcs->any  = FacetsBend_Private(&level, &facets, shape.normal);
   facets.num = num;
   if (arcs->any) PetscCall(TreeArcsBegin_Private(tree, &level, &facets, entry, num_round, shape.normal));
+  if (arcs->any && tree->list.curved_file)
+    PetscCall(TreeSetMiddles_Private(tree, &level, &facets, entry, num_round, shape.normal));
   PetscCall(SideShapeDestroy(&shape));
   PetscCall(FacetsDestroy(&facets));
   PetscCall(PetscFree(entry));
@@ -339,24 +391,28 @@ PetscErrorCode TreeArcsDestroy(TreeArcs *arcs)
   PetscFunctionBeginUser;
   PetscCall(PetscFree3(arcs->round, arcs->flat, arcs->plane));
   PetscCall(PetscFree(arcs->start));
+  PetscCall(PetscFree(arcs->middle));
   PetscCall(PetscFree(arcs->corner));
   *arcs = (TreeArcs){.any = PETSC_FALSE};
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The normal in the middle of an edge, which is orthogonal to the edge. */
+/* The normal in the middle of an edge: orthogonal to the edge on a circle, else that of a cubic with the
+   normals at the ends. */
 static void SideCornerBetween_Private(PetscInt dim, const PetscReal x0[], const SideCorner *from, const PetscReal x1[],
                                       const SideCorner *to, SideCorner *middle)
 {
-  PetscReal along = 0, square = 0;
+  PetscReal a = 0, b = 0, square = 0, share;
 
   middle->facet = from->facet;
   for (PetscInt d = 0; d < dim; d++) {
     middle->normal[d] = from->normal[d] + to->normal[d];
-    along += middle->normal[d] * (x1[d] - x0[d]);
+    a -= from->normal[d] * (x1[d] - x0[d]);
+    b += to->normal[d] * (x1[d] - x0[d]);
     square += PetscSqr(x1[d] - x0[d]);
   }
-  for (PetscInt d = 0; d < dim; d++) middle->normal[d] -= along / square * (x1[d] - x0[d]);
+  share = (a * b > 0 ? 1.5 : 1) * (b - a) / square;
+  for (PetscInt d = 0; d < dim; d++) middle->normal[d] -= share * (x1[d] - x0[d]);
   FrameNormalize(dim, middle->normal);
 }
 
@@ -368,9 +424,14 @@ static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const 
   *num = 0;
   for (PetscInt i = arcs->start[a]; i < arcs->start[a + 1]; i++) {
     for (PetscInt j = arcs->start[b]; j < arcs->start[b + 1]; j++) {
+      const SideMiddle *middle;
+      SideCorner       *own;
+
       if (arcs->corner[i].facet != arcs->corner[j].facet) continue;
-      SideCornerBetween_Private(dim, &coords[a * dim], &arcs->corner[i], &coords[b * dim], &arcs->corner[j],
-                                &corner[(*num)++]);
+      middle = TreeArcsFindMiddle_Private(arcs, arcs->corner[i].facet, a, b);
+      own    = &corner[(*num)++];
+      SideCornerBetween_Private(dim, &coords[a * dim], &arcs->corner[i], &coords[b * dim], &arcs->corner[j], own);
+      for (PetscInt d = 0; d < dim && middle; d++) own->normal[d] = middle->normal[d];
     }
   }
 }
@@ -409,7 +470,7 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list)
     PetscReal       offset[3];
 
     PetscCall(TreeArcsAppend_Private(arcs, dim, list->coords, ends));
-    if (ends[0] < 0) continue;
+    if (ends[0] < 0 || TreeArcsIsOfFile_Private(arcs, ends[0], ends[1])) continue;
     if (!TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) {
       // the middle of a face on a side, between the middles of its edges, which may be on arcs
       if (!TreeIsKept(tree) || arcs->start[v + 1] == arcs->start[v]) continue;

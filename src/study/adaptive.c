@@ -184,7 +184,8 @@ static PetscReal AdaptiveGetStalledGrowth_Private(const Scene scene)
 
 /* Whether estimates have hardly fallen since there were a half, or a quarter, of the unknowns. They are not
    calibrated here: calibrations of coarse meshes may jump. Where coarse meshes are too stiff estimates may
-   even rise; then the energy falls, and by more than they tell. */
+   even rise; then the energy falls, and by more than they tell. Or they rise where refined curves meet coarse
+   ones, and fall from mesh to mesh afterwards. */
 static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
 {
   const PetscReal   growth = AdaptiveGetStalledGrowth_Private(adaptive->scene);
@@ -196,6 +197,7 @@ static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
   before = &adaptive->history->mesh[k];
   if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // the mesh hardly resolves the contact
   if (growth * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
+  if (mesh->eta <= STALLED * mesh[-1].eta) return PETSC_FALSE;
   if (!SceneHasFriction(adaptive->scene) &&
       SolvedMeshGetEnergy(before) - SolvedMeshGetEnergy(mesh) > (1 - PetscSqr(STALLED)) * PetscSqr(before->eta))
     return PETSC_FALSE;

@@ -78,6 +78,60 @@ static void TestCircle(void)
   TestSceneFree(&t);
 }
 
+/* The normal of curve 0, an ellipse, and of curve 1, a line that passes over into an arc at x = 1. */
+static void CurveNormal(PetscInt curve, const PetscReal x[2], PetscReal n[2])
+{
+  n[0] = curve ? PetscMax(x[0] - 1, 0) : x[0] / 4;
+  n[1] = curve ? (x[0] > 1 ? x[1] + 1 : 1) : x[1];
+  (void)FrameNormalize(2, n);
+}
+
+/* The largest error of a normal on a side of unequal facets. */
+static PetscReal CurveError(PetscInt curve, PetscInt order, PetscInt facets_along)
+{
+  TestScene t;
+  Level    *level;
+  Mesh      mesh;
+  Facets    facets;
+  SideShape shape;
+  PetscReal error = 0;
+
+  TestSceneInit(&t);
+  (void)TestSceneAddBox(&t, "body", facets_along, 1, 0, -0.2, 2, 0);
+  (void)TestSceneAddPair(&t, "pair", 0, "top", 0, "bottom");
+  TestSceneSetMap(&t.bodies[0], curve ? "x<1?x:1+(1+y)*sin((x-1)*(1+0.1*x)),x<1?y:(1+y)*cos((x-1)*(1+0.1*x))-1"
+                                      : "2*(1+y)*sin(0.3+0.5*x+0.05*x^2),(1+y)*cos(0.3+0.5*x+0.05*x^2)");
+  t.bodies[0].order = order;
+  mesh              = TestSceneMesh(&t);
+  level             = MeshFinest(mesh);
+  CHECK(!LevelGetFacets(level, &t.scene, 0, "top", &facets));
+  CHECK(!SideShapeCreate(level, &facets, &shape));
+  for (PetscInt f = 0; f < facets.num; ++f) {
+    for (PetscInt i = 0; i < 1 + order; ++i) {
+      PetscReal n[2];
+
+      CurveNormal(curve, &level->coords[2 * facets.nodes[f * F + i]], n);
+      for (PetscInt k = 0; k < 2; ++k) error = PetscMax(error, PetscAbsReal(n[k] - shape.normal[(f * F + i) * 2 + k]));
+    }
+  }
+  CHECK(!SideShapeDestroy(&shape));
+  CHECK(!FacetsDestroy(&facets));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+  CHECK(!MPI_Allreduce(MPI_IN_PLACE, &error, 1, MPIU_REAL, MPIU_MAX, PETSC_COMM_WORLD));
+  return error;
+}
+
+/* Fourth order on an ellipse (third at its ends); exact where a line passes over into an arc. */
+static void TestCurves(void)
+{
+  for (PetscInt order = 1; order <= 2; ++order) {
+    CHECK(CurveError(0, order, 12 / order) < 2e-3);
+    CHECK(CurveError(0, order, 96 / order) < CurveError(0, order, 48 / order) / 6.5);
+    CHECK_NEAR(CurveError(1, order, 12 / order), 0, EXACT);
+  }
+}
+
 /* A part of a cylinder and of a sphere, as quads with unequal edges; one facet wide, too. */
 static void TestSolids(void)
 {
@@ -227,6 +281,7 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCall(UserErrorInitialize());
   TestCircle();
+  TestCurves();
   TestSolids();
   TestTriangles();
   for (PetscInt kind = 0; kind < NUM_SHAPES; ++kind) {

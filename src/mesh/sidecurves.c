@@ -1,0 +1,218 @@
+/* sidecurves.c -- the curve through the nodes of a side in the plane (eq. 4.1b).
+
+   The normal (4.1) of a node is that of the circle through it and its neighbours. Two more estimates are
+   mirror images of the neighbours' normals in the parts between: circles through one neighbour and the next.
+   Angles of parts are means of the normal's angle along them. So a mean of the three with the right weights
+   is that of a polynomial through the angles of four parts. Where two circles agree the side is one: a line
+   passes over into an arc there, and means would be wrong. */
+#include "mesh/sidecurves.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
+#include "mesh/sidesums.h"
+
+enum { F = ELEMENT_MAX_FACET_NODES, AHEAD = 0, BEHIND = 1, SIDES = 2 };
+
+/* Circles agree if their normals differ by less than this share of the angle between two nodes. */
+static const PetscReal SAME_CIRCLE = 1e-4;
+/* Differences of unit normals below this are roundoff: flat. */
+static const PetscReal FLAT_SIDE = 1e-11;
+/* The angle that the patch fills around an inner node, as a share of a full turn, is one up to this. */
+static const PetscReal ONE_TURN = 0.2;
+
+/* What the part ahead of a node, or behind it, says of its normal. */
+typedef struct {
+  PetscReal mirrored[2]; /* normal of the node at the other end, in this part */
+  PetscReal length;
+  PetscReal two;  /* length of both parts at the other end; 0 where that is an end of the patch */
+  PetscReal same; /* 1 if the node's circle passes through the next part on this side as well */
+} Way;
+
+enum { WAYS = 2 * sizeof(Way) / sizeof(PetscReal) };
+
+typedef struct {
+  Level           *level;
+  const Facets    *facets;
+  const SideShape *shape;
+  const PetscReal *share;
+  PetscReal       *two;     /* length of both parts at a node [num][F] */
+  Way (*way)[SIDES];        /* of each corner's node [num][F] */
+  PetscReal (*next)[SIDES]; /* 1 if the circle of the node at the other end passes through one part more [num][F] */
+  PetscBool *mean;          /* whether the node's normal is the mean (4.1b) [num][F] */
+} Curve;
+
+/* Nodes of a facet along it. Returns the number of parts between them. [out] along - [3] */
+static PetscInt FacetGetNodes_Private(ElementType type, PetscInt along[])
+{
+  const PetscInt parts = ElementOrder(type);
+
+  along[0]     = 0;
+  along[1]     = 2;
+  along[parts] = 1;
+  return parts;
+}
+
+/* Whether the patch surrounds the node of a corner. */
+static PetscBool CurveIsInner_Private(const Curve *curve, PetscInt c)
+{
+  return (PetscBool)(PetscAbsReal(curve->share[c] - 1) < ONE_TURN && curve->shape->ridge[c] == 0);
+}
+
+static PetscReal NormalsDistance_Private(const PetscReal a[2], const PetscReal b[2])
+{
+  const PetscReal d[2] = {a[0] - b[0], a[1] - b[1]};
+
+  return VectorNorm(2, d);
+}
+
+/* The mirror image of the normal at corner `from` in the part between two corners: the same circle at
+   `at`. */
+static void CurveMirror_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt from, const PetscReal n[2],
+                                PetscReal image[2])
+{
+  PetscReal d[2], along;
+
+  for (PetscInt k = 0; k < 2; k++)
+    d[k] = SideGetPosition(curve->level, curve->facets, f, from, k) -
+           SideGetPosition(curve->level, curve->facets, f, at, k);
+  along = 2 * VectorDot(2, n, d) / VectorDot(2, d, d);
+  for (PetscInt k = 0; k < 2; k++) image[k] = n[k] - along * d[k];
+}
+
+/* What to do at corner `at`, from which the part on this side leads to corner `to`. */
+typedef void (*CurveVisit)(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side);
+
+static void CurveVisitWays_Private(const Curve *curve, CurveVisit visit)
+{
+  for (PetscInt f = 0; f < curve->facets->num; f++) {
+    PetscInt       along[3];
+    const PetscInt parts = FacetGetNodes_Private(curve->facets->type[f], along);
+
+    for (PetscInt p = 0; p < parts; p++) {
+      visit(curve, f, along[p], along[p + 1], AHEAD);
+      visit(curve, f, along[p + 1], along[p], BEHIND);
+    }
+  }
+}
+
+static void CurveSetLength_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side)
+{
+  Way      *way = &curve->way[f * F + at][side];
+  PetscReal d[2];
+
+  for (PetscInt k = 0; k < 2; k++)
+    d[k] =
+        SideGetPosition(curve->level, curve->facets, f, to, k) - SideGetPosition(curve->level, curve->facets, f, at, k);
+  way->length = VectorNorm(2, d);
+  curve->two[f * F + at] += way->length;
+}
+
+static void CurveSetMirror_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side)
+{
+  const PetscReal *own = &curve->shape->normal[(f * F + at) * 2], *other = &curve->shape->normal[(f * F + to) * 2];
+  Way             *way = &curve->way[f * F + at][side];
+  PetscReal        turn;
+
+  if (!CurveIsInner_Private(curve, f * F + to)) return;
+  CurveMirror_Private(curve, f, at, to, other, way->mirrored);
+  turn      = NormalsDistance_Private(other, way->mirrored);
+  way->two  = curve->two[f * F + to];
+  way->same = NormalsDistance_Private(own, way->mirrored) <= PetscMax(SAME_CIRCLE * turn, FLAT_SIDE) ? 1 : 0;
+}
+
+static void CurveSetNext_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side)
+{
+  if (CurveIsInner_Private(curve, f * F + to)) curve->next[f * F + at][side] = curve->way[f * F + to][side].same;
+}
+
+/* The weighted mean (4.1b) of the normals of three circles. Ways of length 0 at the other end have no
+   circle. */
+static void NormalsMean_Private(const PetscReal own[2], const Way way[SIDES], PetscReal n[2])
+{
+  const PetscReal length[SIDES] = {way[AHEAD].length, way[BEHIND].length};
+  PetscReal       part[SIDES], rest = 1; // weights of the mirror images
+
+  for (PetscInt s = 0; s < SIDES; s++) {
+    const Way *other = &way[1 - s];
+
+    part[s] = way[s].two > 0 ? length[1 - s] / (way[s].two + length[1 - s]) : 0; // of both circles on this side
+    part[s] *= other->two > 0 ? other->two / (way[s].two + other->two) : 1;      // of this side
+    rest -= part[s];
+  }
+  for (PetscInt k = 0; k < 2; k++)
+    n[k] = rest * own[k] + part[AHEAD] * way[AHEAD].mirrored[k] + part[BEHIND] * way[BEHIND].mirrored[k];
+  FrameNormalize(2, n);
+}
+
+/* Normals of inner nodes. [out] exact - [num][F][2] */
+static void CurveSetInner_Private(const Curve *curve, PetscReal exact[])
+{
+  for (PetscInt f = 0; f < curve->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(curve->facets->type[f]); i++) {
+      const PetscInt   c   = f * F + i;
+      const PetscReal *own = &curve->shape->normal[c * 2], *next = curve->next[c];
+      const Way       *way = curve->way[c];
+      PetscReal       *n   = &exact[c * 2];
+
+      if (!CurveIsInner_Private(curve, c)) continue;
+      if (way[AHEAD].same > 0 || way[BEHIND].same > 0) {
+        for (PetscInt k = 0; k < 2; k++) n[k] = own[k];
+      } else if (next[AHEAD] > 0 || next[BEHIND] > 0) {
+        for (PetscInt k = 0; k < 2; k++)
+          n[k] = next[AHEAD] * way[AHEAD].mirrored[k] + next[BEHIND] * way[BEHIND].mirrored[k];
+        FrameNormalize(2, n);
+      } else {
+        NormalsMean_Private(own, way, n);
+        curve->mean[c] = PETSC_TRUE;
+      }
+    }
+  }
+}
+
+/* The end of a patch next to an inner node: the circle there, turned by what the node's normal differs from
+   its circle's. This is the angle of a cubic over both parts. [in,out] exact - at corner `at` */
+static void CurveSetEnd_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscReal exact[])
+{
+  const PetscInt   c      = f * F + to;
+  const PetscReal *circle = &curve->shape->normal[c * 2], *n = &exact[c * 2];
+  const PetscReal  mine = curve->two[f * F + at], rest = curve->two[c] - mine;
+  PetscReal       *end = &exact[(f * F + at) * 2], image[2], turn;
+
+  if (CurveIsInner_Private(curve, f * F + at) || !CurveIsInner_Private(curve, c) || !(rest > 0)) return;
+  CurveMirror_Private(curve, f, at, to, n, image);
+  turn   = curve->mean[c] ? (n[0] * circle[1] - n[1] * circle[0]) * mine / rest : 0;
+  end[0] = image[0] - turn * image[1];
+  end[1] = image[1] + turn * image[0];
+  FrameNormalize(2, end);
+}
+
+static void CurveSetEnds_Private(const Curve *curve, PetscReal exact[])
+{
+  for (PetscInt f = 0; f < curve->facets->num; f++) {
+    PetscInt       along[3];
+    const PetscInt parts = FacetGetNodes_Private(curve->facets->type[f], along);
+
+    CurveSetEnd_Private(curve, f, along[0], along[1], exact);
+    CurveSetEnd_Private(curve, f, along[parts], along[parts - 1], exact);
+  }
+}
+
+PetscErrorCode SideCurvesGetNormals(Level *level, const Facets *facets, const SideShape *shape, const PetscReal share[],
+                                    PetscReal exact[])
+{
+  const PetscInt num   = facets->num * F;
+  Curve          curve = {.level = level, .facets = facets, .shape = shape, .share = share};
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc4(num, &curve.two, num, &curve.way, num, &curve.next, num, &curve.mean));
+  CurveVisitWays_Private(&curve, CurveSetLength_Private);
+  PetscCall(SideSumAtNodes(level, facets, 1, shape->ridge, curve.two));
+  CurveVisitWays_Private(&curve, CurveSetMirror_Private);
+  PetscCall(SideSumAtNodes(level, facets, WAYS, shape->ridge, (PetscReal *)curve.way));
+  CurveVisitWays_Private(&curve, CurveSetNext_Private);
+  PetscCall(SideSumAtNodes(level, facets, SIDES, shape->ridge, (PetscReal *)curve.next));
+  CurveSetInner_Private(&curve, exact);
+  CurveSetEnds_Private(&curve, exact);
+  PetscCall(PetscFree4(curve.two, curve.way, curve.next, curve.mean));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
