@@ -137,10 +137,13 @@ static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Square of the sine between a curved side and a flat one, at least: an edge of both is a feature edge. */
+static const PetscReal LEAST_WITHIN = 0.25;
+
 PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[])
 {
   const PetscReal squares = PetscRealPart(sums[dim]);
-  PetscReal       total = 0, normal[3], along = 0;
+  PetscReal       total = 0, normal[3], along = 0, square = 0, within;
 
   if (!(squares > 0)) return PETSC_FALSE;
   for (PetscInt k = 0; k < dim; k++) {
@@ -150,9 +153,12 @@ PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offs
   FrameNormalize(dim, normal);
   for (PetscInt k = 0; k < dim; k++) {
     offset[k] = squares / PetscMax(total, squares) * PetscRealPart(sums[k]);
+    square += PetscSqr(offset[k]);
     along += offset[k] * normal[k];
   }
-  for (PetscInt k = 0; k < dim; k++) offset[k] -= along * normal[k];
+  // within the flat side, the way to the curve is longer than along the curve's normal
+  within = PetscMax(square - along * along, LEAST_WITHIN * square);
+  for (PetscInt k = 0; k < dim; k++) offset[k] = square / within * (offset[k] - along * normal[k]);
   return PETSC_TRUE;
 }
 
