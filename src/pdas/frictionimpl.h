@@ -151,9 +151,10 @@ typedef struct {
 typedef struct _n_FrictionMethod *FrictionMethod;
 struct _n_FrictionMethod {
   PDAS         *pdas;
-  ActiveSolver  solver; /* borrowed */
-  FrictionUnits units;  /* all on the first rank, or of each rank its own */
-  PetscBool     plain;  /* decisions follow from the last step alone: no sweeps or proximal steps before them */
+  ActiveSolver  solver;  /* borrowed */
+  FrictionUnits units;   /* all on the first rank, or of each rank its own */
+  PetscBool     plain;   /* decisions follow from the last step alone: no sweeps or proximal steps before them */
+  PetscBool     decided; /* the next step takes the decisions as they are */
   void         *data;
   /* Resets the history of steps, for other limits. */
   PetscErrorCode (*restart)(FrictionMethod);
@@ -171,6 +172,12 @@ struct _n_FrictionMethod {
 
 /* One Newton step, recorded in method->pdas. Collective. */
 PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionStep *step);
+/* Newton steps until the law holds. Collective. [in] start - initial guess; [in] stops - gives up where steps
+   stall; else the iteration goes on from elsewhere */
+PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec start, PetscBool stops);
+/* Newton's method with smaller coefficients that grow. Collective.
+   [in] largest - coefficient, above 1; [in] start - initial guess */
+PetscErrorCode FrictionGrow(SNES snes, FrictionMethod method, PetscReal largest, Vec start);
 /* Sets values and decisions to those of the first step after the solution without friction, if this descends.
    Collective. [in] start - initial guess; [in] residual - of the last step */
 PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, PetscReal residual);

@@ -7,6 +7,9 @@ enum { PLAIN_PROBLEMS = 12 };
 /* The iteration goes on from elsewhere after STALLED_STEPS steps in a row that do not descend, or if the
    residual is larger than the forces after FAR_STEPS. Not where a coarser mesh gave the initial states. */
 enum { STALLED_STEPS = 2, FAR_STEPS = 2 };
+/* Above this coefficient tangential forces may be larger than pressures. Solutions with smaller coefficients
+   are found first where steps stall, and where pivoting is not possible. */
+static const PetscReal LARGE_COEFFICIENT = 1;
 
 #define FAILURE_FIXED_POINT                                                                                            \
   "the fixed point iteration over Tresca's friction does not converge, as for a large coefficient"
@@ -47,9 +50,9 @@ static PetscErrorCode FrictionIterationMove_Private(SNES snes, FrictionMethod me
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Newton steps until the law holds. Collective. [in] start - initial guess */
-static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec start)
+PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec start, PetscBool stops)
 {
+  PDAS           *pdas  = method->pdas;
   const PetscInt  begun = pdas->iterations;
   const PetscBool warm  = (PetscBool)(pdas->coarser.slipping + pdas->coarser.sticking > 0);
   PetscBool       moved = (PetscBool)(method->plain || pdas->fixed_point || warm);
@@ -61,8 +64,9 @@ static PetscErrorCode FrictionIterationNewton_Private(SNES snes, PDAS *pdas, Fri
     FrictionStep step;
 
     PetscCall(FrictionIterationStep(snes, method, &step));
-    if (moved || step.done || pdas->failure) continue;
+    if ((moved && !stops) || step.done || pdas->failure) continue;
     if (step.waiting < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size)) continue;
+    if (stops) break;
     moved = PETSC_TRUE;
     PetscCall(FrictionIterationMove_Private(snes, method, start, step.residual));
   }
@@ -83,7 +87,7 @@ static PetscErrorCode FrictionIterationFixedPoint_Private(SNES snes, PDAS *pdas,
   PetscCall(FrictionAndersonCreate(method->units.num, &anderson));
   PetscCall(FrictionUnitsBeginFixedPoint(&method->units, &mu, &given));
   while (pdas->iterations < pdas->max_it && !pdas->failure && !settled) {
-    PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
+    PetscCall(FrictionIterationNewton(snes, method, y, PETSC_FALSE));
     PetscCall(FrictionUnitsFreeze(&method->units, mu, given, ++problems > PLAIN_PROBLEMS ? &anderson : NULL, &settled));
     PetscCallMPI(MPI_Bcast(&settled, 1, MPIU_BOOL, 0, pdas->set.comm)); // the first rank may have all units
   }
@@ -102,21 +106,36 @@ static PetscErrorCode FrictionIterationCreate_Private(PDAS *pdas, FrictionMethod
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Newton's method. If it fails, from the solution by pivoting if there is one. If that fails, once more
-   from the same y without sweeps or proximal steps. Where there are several solutions these may lead to
-   and fro between them. */
+/* The largest coefficient of all units. */
+static PetscErrorCode FrictionIterationLargest_Private(FrictionMethod method, PetscReal *largest)
+{
+  const FrictionUnits *units = &method->units;
+
+  PetscFunctionBeginUser;
+  *largest = 0;
+  for (PetscInt a = 0; a < units->num; a++) *largest = PetscMax(*largest, units->unit[a].coefficient);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 1, MPIU_REAL, MPI_MAX, method->pdas->set.comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Newton's method. If it fails, from the solution by pivoting if there is one, or from those with smaller
+   coefficients. If that fails, once more from the same y without sweeps or proximal steps. Where there are
+   several solutions these may lead to and fro between them. */
 static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec y)
 {
+  PetscReal largest;
   PetscBool pivoted = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
+  PetscCall(FrictionIterationLargest_Private(method, &largest));
+  PetscCall(FrictionIterationNewton(snes, method, y, (PetscBool)(!method->pivot && largest > LARGE_COEFFICIENT)));
   if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
   if (method->pivot) PetscCall((*method->pivot)(method, PETSC_TRUE, &pivoted));
   if (pivoted) {
     pdas->failure = NULL;
-    PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
+    PetscCall(FrictionIterationNewton(snes, method, y, PETSC_FALSE));
   }
+  if (!pdas->converged && largest > LARGE_COEFFICIENT) PetscCall(FrictionGrow(snes, method, largest, y));
   if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscInfo(snes, "friction, once more: %s\n", pdas->failure));
   PetscCall((*method->destroy)(method));
@@ -124,7 +143,7 @@ static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, Fric
   pdas->failure = NULL;
   method->plain = PETSC_TRUE;
   PetscCall(FrictionIterationCreate_Private(pdas, method, y));
-  PetscCall(FrictionIterationNewton_Private(snes, pdas, method, y));
+  PetscCall(FrictionIterationNewton(snes, method, y, PETSC_FALSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

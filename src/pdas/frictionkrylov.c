@@ -47,7 +47,6 @@ typedef struct {
   PetscInt       waiting; /* steps since the last one that descended */
   PetscBool      strays;  /* a step did not descend: no more proximal steps */
   PetscBool      told;    /* decisions are set in the cycle */
-  PetscBool      begun;   /* units have decided */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
   PetscBool      turns;   /* units have two tangents: slip may turn */
   PetscInt       changes; /* of decisions since the initial ones */
@@ -226,16 +225,17 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   FrictionReport  count;
 
   PetscFunctionBeginUser;
-  if (t->begun) PetscCall(FrictionUnitsDecide(&method->units, &step->changed));
+  if (!method->decided) PetscCall(FrictionUnitsDecide(&method->units, &step->changed));
   PetscCall(FrictionUnitsCount(&method->units, &count, &step->closed));
-  *forcing = t->begun ? FrictionKrylovForce_Private(t, rtol, residual, &count, step) : t->forcing;
+  *forcing = method->decided ? t->forcing : FrictionKrylovForce_Private(t, rtol, residual, &count, step);
   PetscCall(VecCopy(t->y, t->begin));
   FrictionUnitsProject(&method->units, t->from);
   PetscCall(FrictionKrylovPrescribe_Private(method));
   if (step->changed || !t->told) PetscCall(FrictionLinearTell(&t->linear));
   t->same = (PetscBool)(t->same && !step->changed);
   t->changes += step->changed;
-  t->begun = t->told = PETSC_TRUE;
+  t->told         = PETSC_TRUE;
+  method->decided = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -294,7 +294,7 @@ static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
   PetscFunctionBeginUser;
   t->strays = (PetscBool)(t->strays || t->waiting);
   PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
-  if (method->plain || !t->begun || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (method->plain || method->decided || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecCopy(t->y, t->d));
   PetscCall(FrictionProximalApply(&t->linear, &method->units, t->y, t->r, t->begin, t->f));
   PetscCall(FrictionKrylovEvaluate_Private(method, &after));
@@ -340,10 +340,10 @@ static PetscErrorCode Set_Krylov(FrictionMethod method, Vec y)
   PetscFunctionBeginUser;
   PetscCall(VecCopy(y, t->y));
   PetscCall(FrictionKrylovEvaluate_Private(method, &now));
-  t->last  = now.residual;
-  t->begun = PETSC_TRUE;
-  t->told  = PETSC_FALSE; // the cycle may have had another set
-  t->same  = PETSC_FALSE;
+  t->last         = now.residual;
+  t->told         = PETSC_FALSE; // the cycle may have had another set
+  t->same         = PETSC_FALSE;
+  method->decided = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -494,8 +494,8 @@ static PetscErrorCode FrictionKrylovBegin_Private(FrictionMethod method, Vec set
     unit->turning = limit / size;
     for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = s[i] / size;
   }
-  t->begun = PETSC_FALSE;
-  t->same  = PETSC_TRUE;
+  t->same         = PETSC_TRUE;
+  method->decided = PETSC_TRUE;
   PetscCall(PetscFree(given));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

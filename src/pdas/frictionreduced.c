@@ -18,7 +18,6 @@ typedef struct {
   PetscReal      *from, *to; /* y at the begin and the end of a step; on the first rank [n] */
   PetscReal       least;     /* residual so far */
   PetscInt        waiting;   /* steps since then */
-  PetscBool       pivoted;   /* y is of pivoting, which needs no sweeps */
 } Reduced;
 
 /* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from)
@@ -104,20 +103,17 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, FrictionStep *st
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step on the first rank. [in] plain - of the method; [in] patience - steps; [out] failed */
-static PetscErrorCode FrictionReducedStepFirst_Private(Reduced *t, PetscBool plain, PetscInt patience,
-                                                       FrictionStep *step, PetscBool *failed)
+/* One step on the first rank. [in] patience - steps; [out] failed */
+static PetscErrorCode FrictionReducedStepFirst_Private(FrictionMethod method, PetscInt patience, FrictionStep *step,
+                                                       PetscBool *failed)
 {
+  Reduced       *t     = method->data;
   FrictionUnits *units = t->problem.units;
   FrictionReport count;
 
   PetscFunctionBeginUser;
-  if (!plain && !t->pivoted) PetscCall(FrictionProblemSweep(&t->problem));
-  if (t->pivoted)
-    step->changed = units->num;
-  else
-    PetscCall(FrictionUnitsDecide(units, &step->changed));
-  t->pivoted = PETSC_FALSE;
+  if (!method->plain && !method->decided) PetscCall(FrictionProblemSweep(&t->problem));
+  if (!method->decided) PetscCall(FrictionUnitsDecide(units, &step->changed));
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));
   PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
@@ -140,7 +136,8 @@ static PetscErrorCode Step_Reduced(FrictionMethod method, FrictionStep *step)
   PetscBool      failed   = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(t, method->plain, patience, step, &failed));
+  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(method, patience, step, &failed));
+  method->decided = PETSC_FALSE;
   PetscCallMPI(MPI_Bcast(step, sizeof(*step), MPI_BYTE, 0, method->pdas->set.comm));
   PetscCallMPI(MPI_Bcast(&failed, 1, MPIU_BOOL, 0, method->pdas->set.comm));
   if (failed) method->pdas->failure = FAILURE_FRICTION;
@@ -154,8 +151,8 @@ static PetscErrorCode Pivot_Reduced(FrictionMethod method, PetscBool last, Petsc
   PetscFunctionBeginUser;
   *done = PETSC_FALSE;
   if (!t->rank) PetscCall(FrictionProblemPivot(&t->problem, last, done));
-  t->pivoted = *done;
   PetscCallMPI(MPI_Bcast(done, 1, MPIU_BOOL, 0, method->pdas->set.comm));
+  method->decided = *done;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
