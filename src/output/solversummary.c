@@ -80,6 +80,7 @@ static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solv
   }
   object = cJSON_AddObjectToObject(solver, "friction");
   JSONAddReal(object, "rho", report->rho);
+  JSONAddReal(object, "rho_error", report->rho_error);
   cJSON_AddBoolToObject(object, "unique", report->rho < 1);
   cJSON_AddStringToObject(object, "rho_mesh", report->coarser ? "coarser" : "own");
   JSONAddInt(object, "slipping", report->slipping);

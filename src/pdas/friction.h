@@ -27,6 +27,7 @@ typedef struct {
 typedef struct {
   PetscInt  slipping, sticking; /* nodes */
   PetscReal rho; /* spectral radius of G -> coefficient r_n(G) at slipping nodes: locally unique if < 1 (eq. 16.6) */
+  PetscReal rho_error; /* estimated, of its iteration */
   PetscInt  shortened; /* Newton steps that were shortened */
   PetscBool coarser;   /* rho is that of the coarser mesh */
 } FrictionReport;

@@ -7,7 +7,7 @@
    limit. It has settled if RHO_CALM steps in a row (eigenvalues come in pairs) change it by less than
    RHO_SETTLES of itself or RHO_DISTANT of its distance from 1. What matters is whether it is below 1. */
 enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_CALM = 2, RHO_STEPS = 24 };
-static const PetscReal RHO_TINY = 0.02, RHO_SMALL = 0.15, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
+static const PetscReal RHO_TINY = 1e-3, RHO_SMALL = 0.15, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
 
 /* Orthogonalizes v against older vectors, and scales it to 1. [out] h - coefficients, then the length of the
    rest [k + 1] */
@@ -45,33 +45,35 @@ static PetscErrorCode FrictionArnoldiLargest_Private(PetscInt size, const PetscS
 }
 
 PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal part,
-                                      PetscReal *rho)
+                                      FrictionReport *report)
 {
   const PetscInt num                      = method->units.num;
   PetscScalar    H[RHO_STEPS * RHO_STEPS] = {0};
   PetscReal     *basis[RHO_STEPS + 1], *values, h[RHO_STEPS + 1];
-  PetscReal      before  = 0;
+  PetscReal      rho = 0, change = 0;
   PetscInt       calm    = 0;
   PetscBool      settled = PETSC_FALSE;
 
   PetscFunctionBeginUser;
-  *rho = 0;
+  report->rho_error = 0;
   PetscCall(PetscCalloc1((RHO_STEPS + 1) * num, &values));
   for (PetscInt j = 0; j <= RHO_STEPS; j++) basis[j] = &values[j * num];
   PetscCall(PetscArraycpy(basis[0], seed, num));
   PetscCall(FrictionArnoldiOrthogonalize_Private(method, 0, basis, basis[0], h));
   for (PetscInt k = 0; k < RHO_STEPS && h[k] > 0 && !settled; k++) {
+    const PetscReal before = rho;
+
     PetscCall((*map)(method, basis[k], basis[k + 1]));
     PetscCall(FrictionArnoldiOrthogonalize_Private(method, k + 1, basis, basis[k + 1], h));
     for (PetscInt i = 0; i < PetscMin(k + 2, RHO_STEPS); i++) H[RHO_STEPS * k + i] = h[i];
-    PetscCall(FrictionArnoldiLargest_Private(k + 1, H, rho));
-    calm    = PetscAbsReal(*rho - before) < part * PetscMax(RHO_SETTLES * *rho, RHO_DISTANT * PetscAbsReal(1 - *rho))
-                  ? calm + 1
-                  : 0;
-    settled = (PetscBool)((k + 1 >= RHO_FIRST && *rho < RHO_TINY) || (k + 1 >= RHO_FEW && *rho < RHO_SMALL) ||
-                          (k + 1 >= RHO_FEW && calm >= RHO_CALM));
-    before  = *rho;
+    PetscCall(FrictionArnoldiLargest_Private(k + 1, H, &rho));
+    report->rho_error = PetscMax(change, PetscAbsReal(rho - before)); // of the last two
+    change            = PetscAbsReal(rho - before);
+    calm              = change < part * PetscMax(RHO_SETTLES * rho, RHO_DISTANT * PetscAbsReal(1 - rho)) ? calm + 1 : 0;
+    settled           = (PetscBool)((k + 1 >= RHO_FIRST && rho < RHO_TINY) ||
+                          (k + 1 >= RHO_FEW && (rho < RHO_SMALL || calm >= RHO_CALM)));
   }
+  report->rho = rho;
   PetscCall(PetscFree(values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -135,8 +135,8 @@ PetscErrorCode FrictionProblemSweep(FrictionProblem *problem);
 PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool last, PetscBool *done);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
-/* rho of FrictionReport, by power iteration. */
-PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho);
+/* rho of FrictionReport and its error, by power iteration. */
+PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, FrictionReport *report);
 
 /* Result of a Newton step, the same on all ranks. */
 typedef struct {
@@ -185,9 +185,10 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
 /* rho = max |eigenvalue of M|, by Arnoldi's method. Collective. [in] seed - in no invariant subspace, 0 where
-   M is 0 [num]; [in] part - of the changes at which rho has settled, else */
+   M is 0 [num]; [in] part - of the changes at which rho has settled;
+   [out] report - rho and its error */
 PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal part,
-                                      PetscReal *rho);
+                                      FrictionReport *report);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]
    y - initial guess */

@@ -393,13 +393,12 @@ static PetscErrorCode FrictionKrylovGrow_Private(FrictionMethod method, const Pe
 }
 
 /* rho of the present decisions. */
-static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscReal *rho)
+static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, FrictionReport *report)
 {
   Krylov    *t = method->data;
   PetscReal *seed;
 
   PetscFunctionBeginUser;
-  *rho              = 0;
   t->linear.coupled = PETSC_FALSE;
   PetscCall(PetscCalloc1(method->units.num, &seed));
   for (PetscInt a = 0; a < method->units.num; a++) {
@@ -410,7 +409,8 @@ static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, PetscR
               (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal((PetscReal)unit->normal));
   }
   PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, seed,
-                                   method->solver->rtol > LEVEL_RTOL ? LEVEL_SETTLES : 1, rho));
+                                   method->solver->rtol > LEVEL_RTOL ? LEVEL_SETTLES : 1, report));
+  report->rho_error += RHO_RTOL * report->rho;
   PetscCall(PetscFree(seed));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -427,10 +427,12 @@ static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, Fricti
   if (method->solver->rtol > LEVEL_RTOL && report->slipping < RHO_NODES) PetscFunctionReturn(PETSC_SUCCESS);
   report->coarser = (PetscBool)(coarser->slipping >= RHO_NODES && PetscAbsReal(coarser->rho - 1) > RHO_NEAR &&
                                 (PetscReal)t->changes < RHO_CHANGES * (PetscReal)(report->slipping + report->sticking));
-  if (report->coarser)
-    report->rho = coarser->rho;
-  else
-    PetscCall(FrictionKrylovGetRho_Private(method, &report->rho));
+  if (report->coarser) {
+    report->rho       = coarser->rho;
+    report->rho_error = coarser->rho_error;
+  } else {
+    PetscCall(FrictionKrylovGetRho_Private(method, report));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -254,7 +254,7 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     FrictionUnitsMark(&method->units, mark);
     for (PetscInt i = 0; i < method->units.n; i++) all[i] = mark[i] ? 1 : 0;
     PetscCall(FrictionUnitsCount(&method->units, report, &closed));
-    PetscCall(FrictionSystemGetRho(&t->problem, &report->rho));
+    PetscCall(FrictionSystemGetRho(&t->problem, report));
     report->coarser = PETSC_FALSE;
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));

@@ -168,13 +168,13 @@ static PetscErrorCode FrictionSystemGrow_Private(FrictionProblem *problem, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho)
+PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, FrictionReport *report)
 {
-  PetscReal *v, sum = 0, growth = 0;
+  PetscReal *v, sum[2] = {0, 0}, growth = 0;
   PetscInt   slipping = 0;
 
   PetscFunctionBeginUser;
-  *rho = 0;
+  report->rho = report->rho_error = 0;
   PetscCall(PetscCalloc1(problem->units->num, &v));
   for (PetscInt a = 0; a < problem->units->num; a++) {
     const FrictionUnit *unit = &problem->units->unit[a];
@@ -188,9 +188,12 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, PetscReal *rho)
     for (PetscInt k = 0; k < POWER_FIRST + POWER_STEPS; k++) {
       PetscCall(FrictionSystemGrow_Private(problem, v, &growth));
       if (growth == 0) break;
-      if (k >= POWER_FIRST) sum += PetscLogReal(growth);
+      if (k >= POWER_FIRST) sum[2 * (k - POWER_FIRST) / POWER_STEPS] += PetscLogReal(growth);
     }
-    *rho = growth > 0 ? PetscExpReal(sum / POWER_STEPS) : 0;
+    if (growth > 0) {
+      report->rho       = PetscExpReal((sum[0] + sum[1]) / POWER_STEPS);
+      report->rho_error = PetscAbsReal(PetscExpReal(2 * sum[1] / POWER_STEPS) - PetscExpReal(2 * sum[0] / POWER_STEPS));
+    }
   }
   PetscCall(PetscFree(v));
   PetscFunctionReturn(PETSC_SUCCESS);
