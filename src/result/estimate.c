@@ -9,6 +9,7 @@
 #include "result/estimatepairs.h"
 #include "result/geometry.h"
 #include "result/oscillation.h"
+#include "result/unseenstress.h"
 
 /* Rules of the difference of stresses: of twice the order of the displacements. [out] rules -
    [ELEMENT_COUNT]; PetscFree() it */
@@ -97,6 +98,7 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
   PetscCall(NodalStressRestoreArrays(&fields->stress, &sources.recovered));
   PetscCall(VecRestoreArrayRead(local, &u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
+  PetscCall(UnseenStressTake(fields, rules, compliance, estimate->volume, estimate->cell));
   PetscCall(PetscFree(stiffness));
   PetscCall(PetscFree(rules));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -82,6 +82,8 @@ mortise_scene_test(annulus_1 SCENE annulus CHECK true_error.py RANKS 1 ARGS -ord
 mortise_scene_test(edge_2 SCENE edge2d CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 2 -study adaptive -study_levels 10)
 mortise_scene_test(edge_1 SCENE edge2d CHECK true_error.py RANKS 1 ARGS -upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2 -order 1 -study adaptive -study_levels 9)
 mortise_scene_test(edge_tight CHECK true_error.py RANKS 1 ARGS -order 2 -study adaptive -study_levels 10)
+mortise_scene_test(loaded SCENE manufactured_full CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 9
+  -upper_dm_plex_box_faces 4,4 -lower_dm_plex_box_faces 3,3)
 mortise_scene_test(kept_loaded_solid SCENE manufactured_solid CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 4 -adapt_cells kept
   -upper_dm_plex_box_faces 2,2,2 -lower_dm_plex_box_faces 3,3,3)
 mortise_scene_test(kept_edge_tight SCENE edge_tight CHECK true_error.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -study adaptive -study_levels 11 -adapt_cells kept)
