@@ -238,7 +238,7 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   }
   FacetIntegralSumFull_Private(partner, facet, carrier, integral);
   PetscCall(OverlapPointsCollect(partner, facet, list));
-  curve = SmoothGapApply(partner, facet, bulges, list);
+  PetscCall(SmoothGapApply(partner, facet, bulges, list, &curve));
   FacetIntegralWeighPoints_Private(partner, facet, list);
   PetscCall(FacetIntegralSumPoints_Private(partner, facet, list, integral));
   integral->least_gap -= curve;

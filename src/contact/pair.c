@@ -248,9 +248,11 @@ static void PairTakePoints_Private(PairAssembly *assembly, Pair pair)
 {
   pair->points          = assembly->sums.points;
   pair->points->facets  = assembly->nonmortar;
+  pair->points->bulges  = assembly->bulges;
   pair->points->normals = assembly->normals;
   assembly->sums.points = NULL;
   assembly->nonmortar   = (Facets){0};
+  assembly->bulges      = NULL;
   assembly->normals     = NULL;
 }
 

@@ -16,6 +16,7 @@ typedef struct {
 
 struct _n_PairPoints {
   Facets       facets;          /* the nonmortar side's, of this rank */
+  PetscReal   *bulges;          /* of these facets, or NULL [facets][ELEMENT_MAX_FACET_NODES][dim] */
   Vec          normals;         /* directions of contact at its nodes: ghosted, dim per node */
   PetscInt     num, max;        /* points; room for them */
   PairPoint   *point;           /* facet after facet */

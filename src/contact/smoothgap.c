@@ -4,7 +4,7 @@
    radius. On most meshes that is as much as an interference fit, or the approach of two bodies. Nodes are on
    the curved side, and their normals determine its curve between them. In integrals, points stay on the
    facets. Only the gap is that of the curves, to first order: their distance from the facets along the ray is
-   added. */
+   added. The formula of an obstacle is evaluated on the curve instead: it need not fall along the normal. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -86,16 +86,59 @@ static PetscBool SmoothGapRiseFacet_Private(const Level *level, const Facets *fa
   return any;
 }
 
+/* How far a gap by a formula is from linear, on the facet or on its curve: the sum over the nodes of second
+   order. [in] X - of the vertices, on the facet; [in] bulge - or NULL */
+static PetscErrorCode SmoothGapFormulaBend_Private(Expression gap, ElementType type, const PetscReal X[],
+                                                   const PetscReal bulge[], PetscReal *bend, PetscBool *known)
+{
+  const ElementType high = ElementOfOrder(type, 2);
+  const PetscInt    dim = ElementDim(type) + 1, num = ElementNumNodes(type);
+  PetscReal         value[F], x[3], phi[ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  *bend  = 0;
+  *known = PETSC_TRUE;
+  for (PetscInt k = 0; k < ElementNumNodes(high) && *known; k++) {
+    PetscReal mean = 0;
+
+    ElementSurface(type, X, ElementNode(high, k), x, phi, NULL);
+    for (PetscInt d = 0; d < dim && bulge; d++) x[d] += bulge[k * dim + d];
+    PetscCall(ExpressionTry(gap, dim, x, &value[k], known));
+    for (PetscInt i = 0; i < num && k >= num; i++) mean += phi[i] * value[i];
+    if (k >= num) *bend += PetscAbsReal(value[k] - mean);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether the gap by a formula is nearer to linear on the curve than on the facet. Displacements are linear
+   there: so its mean is nearer to the gaps at nodes. It is the curve for an obstacle that follows it, the
+   facet for one that is flat or convex. [in] X - of the vertices, on the curve */
+static PetscErrorCode SmoothGapFormulaFollows_Private(Expression gap, ElementType type, const PetscReal X[],
+                                                      const PetscReal bulge[], PetscBool *follows)
+{
+  const PetscInt num = ElementNumNodes(type) * (ElementDim(type) + 1);
+  PetscReal      below[3 * F], facet, curve;
+  PetscBool      known[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num; i++) below[i] = X[i] - bulge[i]; // of vertices that hang
+  PetscCall(SmoothGapFormulaBend_Private(gap, type, below, NULL, &facet, &known[0]));
+  PetscCall(SmoothGapFormulaBend_Private(gap, type, below, bulge, &curve, &known[1]));
+  *follows = (PetscBool)(known[0] && known[1] && curve < facet);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
                                PetscBool polygonal, PetscReal **bulges, PetscReal *left)
 {
-  const PetscInt dim = level->dim;
-  PetscReal      X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
+  const PetscInt  dim     = level->dim;
+  const PetscBool formula = (PetscBool)(spec->obstacle.kind == OBSTACLE_EXPRESSION);
+  PetscReal       X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
 
   PetscFunctionBeginUser;
   *bulges = NULL;
   *left   = 0;
-  if (spec->gap || spec->obstacle.kind == OBSTACLE_EXPRESSION) PetscFunctionReturn(PETSC_SUCCESS);
+  if (spec->gap || (formula && polygonal)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(facets->num * F * dim + 1,
                          bulges)); // not NULL on ranks without facets, too: NULL means that no rank has a curve
   for (PetscInt f = 0; f < facets->num; f++) {
@@ -111,6 +154,9 @@ PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets
       any = SmoothGapRiseFacet_Private(level, facets, f, X, N, bulge);
     else
       any = ArcBulge(ElementLinear(type), X, N, bulge);
+    if (formula && any)
+      PetscCall(SmoothGapFormulaFollows_Private(spec->obstacle.gap, ElementLinear(type), X, bulge, &any));
+    if (formula && !any) continue;
     largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, bulge));
     if (!any || ElementOrder(type) > 1) continue;
     largest[1] = 1;
@@ -139,25 +185,51 @@ static void SmoothGapAlongRay_Private(const FacetPartner *partner, const ClipFac
   FrameNormalize(dim, n);
 }
 
-PetscReal SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
-                         OverlapPoints *list)
+/* The gap on the curve by a formula, less that on the facet. */
+static PetscErrorCode SmoothGapOfFormula_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                 const PetscReal bulges[], const ClipPoint *point, PetscReal *off)
 {
-  const MortarSurface *mortar = partner->mortar;
-  const PetscReal     *rise_m = mortar ? mortar->bulges : NULL;
-  PetscReal            most   = 0;
+  PetscReal x[3], rise[3], phi[ELEMENT_MAX_NODES], gap;
+  PetscBool rises = PETSC_FALSE;
 
-  if (!bulges && !rise_m) return 0;
+  PetscFunctionBeginUser;
+  *off = 0;
+  ArcRise(facet->type, bulges, point->xi, rise);
+  ElementSurface(facet->type, facet->X, point->xi, x, phi, NULL);
+  for (PetscInt k = 0; k < partner->dim; k++) {
+    rises = (PetscBool)(rises || rise[k] != 0);
+    x[k] += rise[k];
+  }
+  if (!rises) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(ExpressionEvaluate(partner->spec->obstacle.gap, partner->dim, x, &gap));
+  *off = gap - point->gap;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
+                              OverlapPoints *list, PetscReal *most)
+{
+  const MortarSurface *mortar  = partner->mortar;
+  const PetscReal     *rise_m  = mortar ? mortar->bulges : NULL;
+  const PetscBool      formula = (PetscBool)(partner->spec->obstacle.kind == OBSTACLE_EXPRESSION);
+
+  PetscFunctionBeginUser;
+  *most = 0;
+  if (!bulges && !rise_m) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt p = 0; p < list->num; p++) {
     ClipPoint     *point = &list->point[p];
     const PetscInt f     = list->facet[p];
     PetscReal      n[3], off = 0;
 
     SmoothGapAlongRay_Private(partner, facet, point->xi, n);
-    if (bulges && ElementOrder(facet->type) == 1) off -= ArcHeight(facet->type, bulges, point->xi, n);
+    if (formula && ElementOrder(facet->type) == 1)
+      PetscCall(SmoothGapOfFormula_Private(partner, facet, bulges, point, &off));
+    else if (bulges && ElementOrder(facet->type) == 1)
+      off -= ArcHeight(facet->type, bulges, point->xi, n);
     if (rise_m && ElementOrder(mortar->type[f]) == 1)
       off += ArcHeight(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);
     point->gap += off;
-    most = PetscMax(most, PetscAbsReal(off));
+    *most = PetscMax(*most, PetscAbsReal(off));
   }
-  return most;
+  PetscFunctionReturn(PETSC_SUCCESS);
 }

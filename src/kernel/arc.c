@@ -58,15 +58,21 @@ PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], P
   return any;
 }
 
-PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[])
+void ArcRise(ElementType type, const PetscReal bulge[], const PetscReal xi[], PetscReal rise[])
 {
   const ElementType curved = ElementOfOrder(type, 2);
   const PetscInt    dim = ElementDim(type) + 1, num = ElementNumNodes(curved);
-  PetscReal         phi[ELEMENT_MAX_NODES], rise    = 0;
+  PetscReal         phi[ELEMENT_MAX_NODES];
 
   ElementShape(curved, xi, phi, NULL);
-  for (PetscInt i = 0; i < num; i++) {
-    for (PetscInt k = 0; k < dim; k++) rise += phi[i] * bulge[i * dim + k] * n[k];
-  }
-  return rise;
+  for (PetscInt k = 0; k < dim; k++) rise[k] = 0;
+  for (PetscInt i = 0; i < num * dim; i++) rise[i % dim] += phi[i / dim] * bulge[i];
+}
+
+PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[])
+{
+  PetscReal rise[3];
+
+  ArcRise(type, bulge, xi, rise);
+  return VectorDot(ElementDim(type) + 1, rise, n);
 }

@@ -19,8 +19,11 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
    [out] bulge - [nodes of the facet of second order][dim] */
 PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[]);
 
-/* This offset at xi, along a direction. Not collective. [in] type - of first order; bulge - also at vertices;
-   n - [dim] */
+/* This offset at xi. Not collective.
+   [in] type - of first order; bulge - also at vertices; [out] rise - [dim] */
+void ArcRise(ElementType type, const PetscReal bulge[], const PetscReal xi[], PetscReal rise[]);
+
+/* The same along a direction. Not collective. [in] n - [dim] */
 PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[]);
 
 #endif

@@ -307,6 +307,7 @@ static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p,
   PetscReal        x[3], normal[3], depth, squared, width, modulus, xi[2], weight, phi[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
+  if (points->bulges) facet.bulge = &points->bulges[f * F * dim];
   PetscCall(PetscArraycpy(facet.X, X, ElementNumNodes(facet.type) * dim));
   VectorGather(dim, ElementNumNodes(facet.type), nodes, values->u, facet.u);
   VectorGather(dim, ElementNumNodes(facet.type), nodes, values->normal, facet.normal);

@@ -6,6 +6,7 @@
 #include "result/hiddencontact.h"
 #include "base/compat.h"
 #include "contact/obstacle.h"
+#include "kernel/arc.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 
@@ -30,6 +31,7 @@ static PetscErrorCode FacetDepth_Private(const ObstacleFacet *facet, const Petsc
 {
   const PetscInt dim = facet->dim;
   PetscReal      phi[ELEMENT_MAX_NODES], at[3] = {0, 0, 0}, u[3] = {0, 0, 0}, n[3] = {0, 0, 0}, gap, offset = 0;
+  PetscReal      rise[3] = {0, 0, 0};
 
   PetscFunctionBeginUser;
   *depth = PETSC_MIN_REAL;
@@ -41,6 +43,8 @@ static PetscErrorCode FacetDepth_Private(const ObstacleFacet *facet, const Petsc
     n[i % dim] += phi[i / dim] * facet->normal[i];
   }
   FrameNormalize(dim, n);
+  if (facet->bulge && ElementOrder(facet->type) == 1) ArcRise(facet->type, facet->bulge, xi, rise);
+  for (PetscInt k = 0; k < dim; k++) at[k] += rise[k];
   if (facet->spec->gap)
     PetscCall(ExpressionEvaluate(facet->spec->gap, dim, at, &gap));
   else
