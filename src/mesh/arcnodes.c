@@ -43,7 +43,14 @@ static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, P
   PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
   for (PetscInt f = 0; f < facets->num; f++) {
     VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
-    if (ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &(*bulge)[f * F * dim])) *any = PETSC_TRUE;
+    if (!ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &(*bulge)[f * F * dim])) continue;
+    *any = PETSC_TRUE;
+    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]) && shape.quadric; e++) {
+      const PetscInt *ends = ElementEdgeNodes(facets->type[f], e);
+
+      (void)QuadricTakeArc(&shape.quadric[f], &X[ends[0] * dim], &X[ends[1] * dim],
+                           &(*bulge)[(f * F + ElementNumNodes(facets->type[f]) + e) * dim], NULL);
+    }
   }
   PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);

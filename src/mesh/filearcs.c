@@ -51,7 +51,7 @@ PetscErrorCode FacetsRaise(const Level *level, Facets *facets)
 }
 
 /* How far the middle node of an edge is from an arc with a rise along the offset. In the plane it may be
-   elsewhere on the arc; in space that would change the rim of a side. [in] way - from the arc's middle */
+   elsewhere on the arc. [in] way - from the arc's middle */
 static PetscReal MiddleDistance_Private(PetscInt dim, const PetscReal chord[], const PetscReal offset[],
                                         const PetscReal way[])
 {
@@ -62,44 +62,52 @@ static PetscReal MiddleDistance_Private(PetscInt dim, const PetscReal chord[], c
   return PetscAbsReal(VectorDot(dim, way, offset) / rise + 4 * rise * PetscSqr(along / square));
 }
 
-PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[])
+PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const SideShape *shape, PetscBool edge[])
 {
-  const PetscInt    dim  = level->dim;
-  const ElementType type = facets->type[f];
-  PetscReal         X[3 * F], away = 0, allowed = 0;
+  const PetscInt    dim    = level->dim;
+  const ElementType type   = facets->type[f];
+  const PetscReal  *normal = &shape->normal[f * F * dim];
+  PetscReal         X[3 * F], away[F], above = 0, allowed = 0;
 
   VectorGather(dim, ElementNumNodes(type), &facets->nodes[f * F], level->coords, X);
   for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
     const PetscInt   a = ElementEdgeNodes(type, e)[0] * dim, b = ElementEdgeNodes(type, e)[1] * dim;
     const PetscReal *middle = &X[(ElementNumNodes(ElementLinear(type)) + e) * dim];
-    PetscReal        offset[3], chord[3], way[3], turn[3];
+    PetscReal        offset[3], chord[3], way[3], turn[3], mean[3];
 
     ArcOffset(dim, &X[a], &normal[a], &X[b], &normal[b], offset);
+    if (shape->quadric) (void)QuadricTakeArc(&shape->quadric[f], &X[a], &X[b], offset, NULL);
     for (PetscInt k = 0; k < dim; k++) {
       chord[k] = X[b + k] - X[a + k];
       way[k]   = middle[k] - (X[a + k] + X[b + k]) / 2 - offset[k];
       turn[k]  = (normal[b + k] - normal[a + k]) / 2;
+      mean[k]  = (normal[b + k] + normal[a + k]) / 2;
     }
-    away    = PetscMax(away, MiddleDistance_Private(dim, chord, offset, way));
+    away[e] = MiddleDistance_Private(dim, chord, offset, way);
+    above   = PetscMax(above, dim == 2 ? away[e] : PetscAbsReal(VectorDot(dim, way, mean)));
     allowed = PetscMax(allowed, VectorNorm(dim, offset) * VectorDot(dim, turn, turn) / 2);
   }
-  return (PetscBool)(away <= allowed && allowed > 0);
+  for (PetscInt e = 0; e < ElementNumEdges(type); e++)
+    edge[e] = (PetscBool)(above <= allowed && away[e] <= allowed && allowed > 0);
+  return (PetscBool)(above <= allowed && allowed > 0);
 }
 
-/* Finds the facets on arcs, and whether one of them is at each of their nodes. Collective.
-   [out] on - by facets, then 1 or 0 by corners [num], [num][F]; any - on any rank */
+/* Finds the facets and edges on arcs. Collective.
+   [out] on - facets [num]; at_node - not 0 in the middle of such edges [num][F]; any - on any rank */
 static PetscErrorCode FacetsFindArcs_Private(Level *level, const Facets *facets, PetscBool on[], PetscReal at_node[],
                                              PetscBool *any)
 {
   SideShape shape;
+  PetscBool edge[F];
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
   PetscCall(SideShapeCreate(level, facets, &shape));
   for (PetscInt f = 0; f < facets->num; f++) {
-    on[f] = FacetIsOnArcs(level, facets, f, &shape.normal[f * F * level->dim]);
+    on[f] = FacetIsOnArcs(level, facets, f, &shape, edge);
     *any  = (PetscBool)(*any || on[f]);
-    for (PetscInt i = 0; i < F; i++) at_node[f * F + i] = on[f] ? 1 : 0;
+    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++)
+      at_node[f * F + ElementNumNodes(ElementLinear(facets->type[f])) + e] = edge[e] ? 1 : 0;
   }
   PetscCall(SideShapeDestroy(&shape));
   PetscCall(SideSumAtNodes(level, facets, 1, NULL, at_node));
@@ -125,10 +133,9 @@ PetscErrorCode LevelMarkParabolas(Level *level, Facets *facets, PetscBool *any)
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscReal *at_middle = &at_node[f * F + ElementNumNodes(ElementLinear(facets->type[f]))];
 
-    if (on[f]) continue;
     PetscCall(FacetGetEdges(level, point, facets, f, edges));
     PetscCall(FacetGetPoint_Private(level, edges, &facet));
-    if (level->dim == 3) PetscCall(DMLabelSetValue(label, facet, 1));
+    if (level->dim == 3 && !on[f]) PetscCall(DMLabelSetValue(label, facet, 1));
     for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++)
       if (at_middle[e] == 0) PetscCall(DMLabelSetValue(label, edges[e], 1));
   }

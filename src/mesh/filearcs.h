@@ -9,9 +9,11 @@
 /* Adds the middle nodes to facets of first order, in bodies of order 2. Not collective. */
 PetscErrorCode FacetsRaise(const Level *level, Facets *facets);
 /* Whether refinement of a facet of second order may follow arcs: its middle nodes are at most s gamma^2/2
-   from those of its corners' normals. Arcs over halves of its edges are eight times as near at least, and so
-   as near as the parabolas. False for a flat facet. Not collective. [in] normal - [F][dim] */
-PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const PetscReal normal[]);
+   above or below those of its corners' normals. Arcs over halves of its edges are eight times as near at
+   least, and so as near as the parabolas. False for a flat facet. Not collective.
+   [in] shape - of the facets; [out] edge - whether each edge may, too: its middle node is as near in all
+   directions. Rims of cones are not arcs */
+PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, const SideShape *shape, PetscBool edge[]);
 
 /* Marks edges and facets of the DM that stay parabolas. Refinement marks what they are divided into.
    Collective.

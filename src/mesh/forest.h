@@ -7,6 +7,7 @@
 #define MORTISE_FOREST_H
 
 #include "kernel/bisect.h"
+#include "kernel/quadric.h"
 #include "mesh/meshimpl.h"
 
 /* What the first rank knows of a cell of a level. */
@@ -22,6 +23,7 @@ typedef struct {
    normal. */
 typedef struct {
   PetscInt  facet;     /* of the first list, by its first entry */
+  PetscInt  edge;      /* of this facet, if the vertex is on one and the file is of second order; else -1 */
   PetscReal normal[3]; /* of the smooth side there */
 } SideCorner;
 
@@ -29,6 +31,7 @@ typedef struct {
    node. */
 typedef struct {
   PetscInt  ends[2]; /* vertices */
+  PetscBool arc;     /* whether refinement follows an arc */
   PetscReal normal[3];
 } SideMiddle;
 
@@ -40,9 +43,10 @@ typedef struct {
   PetscBool *round, *flat; /* what facets are, by their first entries [num_entries] */
   PetscReal (*plane)[3];   /* unit normals of flat ones [num_entries] */
   PetscInt    num_vertices, room;
-  PetscInt   *start;  /* [num_vertices+1] */
-  SideCorner *corner; /* of each vertex [start[num_vertices]; room] */
-  SideMiddle *middle; /* of each facet's edges, by its first entry; NULL but for a file of second order
+  PetscInt   *start;   /* [num_vertices+1] */
+  SideCorner *corner;  /* of each vertex [start[num_vertices]; room] */
+  Quadric    *quadric; /* of each facet, by its first entry; NULL in the plane [num_entries] */
+  SideMiddle *middle;  /* of each facet's edges, by its first entry; NULL but for a file of second order
                          [num_entries][ELEMENT_MAX_FACET_NODES] */
 } TreeArcs;
 

@@ -14,9 +14,9 @@
 
 enum {
   F         = ELEMENT_MAX_FACET_NODES,
-  MONOMIALS = 10, /* 1, x, y, z, xx, xy, xz, yy, yz, zz */
-  LINEAR    = 1,  /* the first one of degree 1, of degree 2 */
-  SQUARE    = 4,
+  MONOMIALS = QUADRIC_MONOMIALS,
+  LINEAR    = QUADRIC_LINEAR,
+  SQUARE    = QUADRIC_SQUARE,
   GRAM      = MONOMIALS * (MONOMIALS + 1) / 2,
   FREE      = 8, /* a quadric through the origin with a gradient of one along the normal */
   EVIDENCE  = 2, /* points more than any quadric passes through */
@@ -33,23 +33,12 @@ static const PetscReal ON_QUADRIC = 1e-5, CONFIRMS = 1e-4;
 /* Eigenvalues of G below this share are zero: of several quadrics, the flattest one counts. */
 static const PetscReal NO_EIGENVALUE = 1e-12;
 
-static void Monomials_Private(const PetscReal x[3], PetscReal m[MONOMIALS])
-{
-  PetscInt n = SQUARE;
-
-  m[0] = 1;
-  for (PetscInt i = 0; i < 3; i++) {
-    m[LINEAR + i] = x[i];
-    for (PetscInt j = i; j < 3; j++) m[n++] = x[i] * x[j];
-  }
-}
-
 /* T with m(x + d) = T m(x). */
-static void MonomialsShift_Private(const PetscReal d[3], PetscReal T[MONOMIALS * MONOMIALS])
+static void QuadricShift_Private(const PetscReal d[3], PetscReal T[MONOMIALS * MONOMIALS])
 {
   PetscInt n = SQUARE;
 
-  Monomials_Private(d, T); // values at x = 0, to be the first column
+  QuadricMonomials(d, T); // values at x = 0, to be the first column
   for (PetscInt row = MONOMIALS - 1; row >= 0; row--) {
     const PetscReal value = T[row];
 
@@ -76,7 +65,7 @@ static void GramAddPoint_Private(const PetscReal x[3], PetscReal G[GRAM])
 {
   PetscReal m[MONOMIALS];
 
-  Monomials_Private(x, m);
+  QuadricMonomials(x, m);
   for (PetscInt i = 0; i < MONOMIALS; i++) {
     for (PetscInt j = i; j < MONOMIALS; j++) G[GramIndex_Private(i, j)] += m[i] * m[j];
   }
@@ -108,7 +97,7 @@ static void GramAddShifted_Private(const PetscReal d[3], const PetscReal G[GRAM]
 {
   PetscReal T[MONOMIALS * MONOMIALS], H[MONOMIALS * MONOMIALS];
 
-  MonomialsShift_Private(d, T);
+  QuadricShift_Private(d, T);
   GramTransform_Private(MONOMIALS, T, G, H);
   for (PetscInt i = 0; i < MONOMIALS; i++) {
     for (PetscInt j = i; j < MONOMIALS; j++) sum[GramIndex_Private(i, j)] += H[i * MONOMIALS + j];
@@ -287,7 +276,7 @@ static PetscBool PatchCarry_Private(const Patch *patch, const PetscReal quadric[
 
   if (VectorNorm(3, &other[LINEAR]) == 0) return PETSC_FALSE;
   PatchGetWay_Private(patch, f, j, i, d);
-  MonomialsShift_Private(d, T);
+  QuadricShift_Private(d, T);
   for (PetscInt k = 0; k < MONOMIALS; k++) {
     c[k] = 0;
     for (PetscInt l = 0; l < MONOMIALS; l++) c[k] += other[l] * T[l * MONOMIALS + k];
@@ -361,6 +350,27 @@ static PetscErrorCode PatchSpread_Private(const Patch *patch, PetscReal quadric[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The quadric of each facet: one of its corners', if it passes through all of its nodes.
+   [in] quadric - of corners; [out] of_facet - zero where there is none [num] */
+static void PatchSetFacets_Private(const Patch *patch, const PetscReal quadric[], Quadric of_facet[])
+{
+  for (PetscInt f = 0; f < patch->facets->num; f++) {
+    const PetscInt n     = ElementNumNodes(patch->facets->type[f]);
+    PetscBool      found = PETSC_FALSE;
+
+    for (PetscInt i = 0; i < n && !found; i++) {
+      PetscReal c[MONOMIALS];
+
+      found = (PetscBool)(VectorNorm(3, &quadric[(f * F + i) * MONOMIALS + LINEAR]) > 0);
+      for (PetscInt j = 0; j < n && found; j++)
+        found = (PetscBool)(i == j || PatchCarry_Private(patch, quadric, f, j, i, c));
+      for (PetscInt k = 0; k < 3 && found; k++)
+        of_facet[f].origin[k] = SideGetPosition(patch->level, patch->facets, f, i, k);
+      for (PetscInt k = 0; k < MONOMIALS && found; k++) of_facet[f].c[k] = quadric[(f * F + i) * MONOMIALS + k];
+    }
+  }
+}
+
 PetscErrorCode SideQuadricsGetNormals(Level *level, const Facets *facets, const SideShape *shape,
                                       const PetscReal share[], PetscReal exact[])
 {
@@ -376,6 +386,7 @@ PetscErrorCode SideQuadricsGetNormals(Level *level, const Facets *facets, const 
   PetscCall(PatchConfirm_Private(&patch, rings, quadric));
   for (PetscInt k = 0; k < SPREADS; k++) PetscCall(PatchSpread_Private(&patch, quadric));
   for (PetscInt c = 0; c < num; c++) PetscCall(PetscArraycpy(&exact[3 * c], &quadric[c * MONOMIALS + LINEAR], 3));
+  PatchSetFacets_Private(&patch, quadric, shape->quadric);
   PetscCall(PetscFree3(ring, rings, quadric));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

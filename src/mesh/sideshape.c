@@ -492,7 +492,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
   PetscBool      turns, file;
 
   PetscFunctionBeginUser;
-  shape->num = facets->num;
+  *shape = (SideShape){.num = facets->num};
   PetscCall(PetscCalloc3(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge));
   PetscCall(PetscCalloc3(num * dim, &side.weighted, num, &side.share, num, &known));
   SideShapeSetCorners_Private(&side);
@@ -505,6 +505,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *sh
     PetscCall(SideSumAtNodes(level, facets, 1, shape->ridge, side.share));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
     if (file || dim == 2) PetscCall(PetscCalloc1(num * dim, &exact));
+    if (file) PetscCall(PetscCalloc1(facets->num, &shape->quadric));
     if (file) PetscCall(SideQuadricsGetNormals(level, facets, shape, side.share, exact));
     if (dim == 2) PetscCall(SideCurvesGetNormals(level, facets, shape, side.share, exact));
     SideShapeTake_Private(&side, exact);
@@ -526,6 +527,7 @@ PetscErrorCode SideShapeDestroy(SideShape *shape)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree3(shape->normal, shape->curvature, shape->ridge));
+  PetscCall(PetscFree(shape->quadric));
   shape->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,6 +5,7 @@
 #ifndef MORTISE_SIDESHAPE_H
 #define MORTISE_SIDESHAPE_H
 
+#include "kernel/quadric.h"
 #include "mesh/mesh.h"
 
 /* All arrays are [num][ELEMENT_MAX_FACET_NODES]..., one entry for each node of each facet of this rank. */
@@ -14,8 +15,9 @@ typedef struct {
   PetscReal *
       curvature; /* shape operator S = dn/dx in the tangent plane, symmetric, > 0 where convex; 0 on a flat patch, exactly
                            [..][dim][dim] */
-  PetscReal *ridge; /* 0 where the patch surrounds the node or ends with the side; at a feature edge 1 if that is
+  PetscReal *ridge;   /* 0 where the patch surrounds the node or ends with the side; at a feature edge 1 if that is
                            convex, -1 if not [..] */
+  Quadric   *quadric; /* of each facet in space, whose nodes are from a file; NULL in the plane and for maps [num] */
 } SideShape;
 
 /* Computes normals and curvatures. Collective.

@@ -106,24 +106,28 @@ static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level
 }
 
 /* Drops the smooth facets of a file of second order that stay parabolas.
-   [in,out] num_round - smooth ones, which come first; facets, entry, normal - in the same order */
+   [in,out] num_round - smooth ones, which come first; facets, entry, shape - in the same order */
 static PetscErrorCode TreeDropParabolas_Private(Tree *tree, const Level *level, PetscInt *num_round, Facets *facets,
-                                                PetscInt entry[], PetscReal normal[])
+                                                PetscInt entry[], SideShape *shape)
 {
   const PetscInt stride = F * level->dim;
+  PetscReal     *normal = shape->normal;
   PetscInt       kept   = 0;
+  PetscBool      edge[F];
 
   PetscFunctionBeginUser;
   for (PetscInt f = 0; f < facets->num; f++) {
-    if (f < *num_round && !FacetIsOnArcs(level, facets, f, &normal[f * stride])) {
+    if (f < *num_round && !FacetIsOnArcs(level, facets, f, shape, edge)) {
       tree->arcs.round[entry[f]] = PETSC_FALSE;
       continue;
     }
+    for (PetscInt e = 0; e < F && f < *num_round; e++) tree->arcs.middle[entry[f] * F + e].arc = edge[e];
     facets->type[kept] = facets->type[f];
     facets->cell[kept] = facets->cell[f];
     entry[kept]        = entry[f];
     PetscCall(PetscArraymove(&facets->nodes[kept * F], &facets->nodes[f * F], F));
     if (f < *num_round) PetscCall(PetscArraymove(&normal[kept * stride], &normal[f * stride], stride));
+    if (f < *num_round && shape->quadric) shape->quadric[kept] = shape->quadric[f];
     kept++;
   }
   *num_round -= facets->num - kept;
@@ -141,7 +145,6 @@ static PetscErrorCode TreeSetMiddles_Private(Tree *tree, const Level *level, con
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetNodePoints(level, &point));
-  PetscCall(PetscCalloc1(tree->num_entries * F, &tree->arcs.middle));
   for (PetscInt f = 0; f < num_round; f++) {
     const ElementType linear = TreeFacetType_Private(tree);
 
@@ -168,6 +171,26 @@ static const SideMiddle *TreeArcsFindMiddle_Private(const TreeArcs *arcs, PetscI
       return middle;
   }
   return NULL;
+}
+
+static PetscBool SideCornerIsOn_Private(const SideCorner *corner, PetscInt vertex, const SideMiddle *middle,
+                                        PetscInt edge)
+{
+  return (PetscBool)(corner->edge == edge || vertex == middle->ends[0] || vertex == middle->ends[1]);
+}
+
+/* The edge of a facet of the first list that two vertices are on, -1 if there is none. [in] from, to - their
+   corners at the facet */
+static PetscInt TreeArcsFindEdge_Private(const TreeArcs *arcs, PetscInt a, const SideCorner *from, PetscInt b,
+                                         const SideCorner *to)
+{
+  for (PetscInt e = 0; e < F && arcs->middle && arcs->round[from->facet]; e++) {
+    const SideMiddle *middle = &arcs->middle[from->facet * F + e];
+
+    if (middle->ends[0] == middle->ends[1]) continue; // a triangle has no more edges
+    if (SideCornerIsOn_Private(from, a, middle, e) && SideCornerIsOn_Private(to, b, middle, e)) return e;
+  }
+  return -1;
 }
 
 /* Whether some edge of facets with these normals bends. */
@@ -211,6 +234,7 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
       SideCorner *corner = &arcs->corner[arcs->start[point[facets->nodes[f * F + i]] - first + 1]++];
 
       corner->facet = entry[f];
+      corner->edge  = -1;
       if (f < num_round) PetscCall(PetscArraycpy(corner->normal, &normal[(f * F + i) * dim], dim));
     }
   }
@@ -277,6 +301,7 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
   const PetscInt  dim = tree->list.dim, low = PetscMin(a, b), high = PetscMax(a, b);
   PetscScalar     sums[2 * 3 + 1] = {0};
   PetscBool       round           = PETSC_FALSE;
+  PetscInt        edge;
 
   if (high >= arcs->num_vertices) return PETSC_FALSE;
   for (PetscInt i = arcs->start[low]; i < arcs->start[low + 1]; i++) {
@@ -288,8 +313,12 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
       if (other->facet != mine->facet) continue;
       for (PetscInt d = 0; d < dim && arcs->flat[mine->facet]; d++) sums[dim + 1 + d] += arcs->plane[mine->facet][d];
       if (!arcs->round[mine->facet]) continue;
+      edge = TreeArcsFindEdge_Private(arcs, low, mine, high, other);
+      if (edge >= 0 && !arcs->middle[mine->facet * F + edge].arc) continue;
       round = PETSC_TRUE;
       ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal, offset);
+      if (arcs->quadric)
+        (void)QuadricTakeArc(&arcs->quadric[mine->facet], &coords[low * dim], &coords[high * dim], offset, NULL);
       for (PetscInt d = 0; d < dim; d++) {
         sums[d] += offset[d];
         sums[dim] += PetscSqr(offset[d]);
@@ -343,13 +372,19 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   facets.num = num_round;
   PetscCall(SideShapeCreate(&level, &facets, &shape));
   facets.num = num;
-  if (tree->list.curved_file)
-    PetscCall(TreeDropParabolas_Private(tree, &level, &num_round, &facets, entry, shape.normal));
+  if (tree->list.curved_file) {
+    PetscCall(PetscCalloc1(tree->num_entries * F, &arcs->middle));
+    PetscCall(TreeDropParabolas_Private(tree, &level, &num_round, &facets, entry, &shape));
+  }
   num        = facets.num;
   facets.num = num_round;
   arcs->any  = FacetsBend_Private(&level, &facets, shape.normal);
   facets.num = num;
   if (arcs->any) PetscCall(TreeArcsBegin_Private(tree, &level, &facets, entry, num_round, shape.normal));
+  if (arcs->any && shape.quadric) {
+    PetscCall(PetscCalloc1(tree->num_entries, &arcs->quadric));
+    for (PetscInt f = 0; f < num_round; f++) arcs->quadric[entry[f]] = shape.quadric[f];
+  }
   if (arcs->any && tree->list.curved_file)
     PetscCall(TreeSetMiddles_Private(tree, &level, &facets, entry, num_round, shape.normal));
   PetscCall(SideShapeDestroy(&shape));
@@ -392,6 +427,7 @@ PetscErrorCode TreeArcsDestroy(TreeArcs *arcs)
   PetscCall(PetscFree3(arcs->round, arcs->flat, arcs->plane));
   PetscCall(PetscFree(arcs->start));
   PetscCall(PetscFree(arcs->middle));
+  PetscCall(PetscFree(arcs->quadric));
   PetscCall(PetscFree(arcs->corner));
   *arcs = (TreeArcs){.any = PETSC_FALSE};
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -426,11 +462,17 @@ static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const 
     for (PetscInt j = arcs->start[b]; j < arcs->start[b + 1]; j++) {
       const SideMiddle *middle;
       SideCorner       *own;
+      PetscReal         offset[3];
 
       if (arcs->corner[i].facet != arcs->corner[j].facet) continue;
       middle = TreeArcsFindMiddle_Private(arcs, arcs->corner[i].facet, a, b);
       own    = &corner[(*num)++];
       SideCornerBetween_Private(dim, &coords[a * dim], &arcs->corner[i], &coords[b * dim], &arcs->corner[j], own);
+      own->edge = TreeArcsFindEdge_Private(arcs, a, &arcs->corner[i], b, &arcs->corner[j]);
+      if (arcs->quadric) {
+        ArcOffset(dim, &coords[a * dim], arcs->corner[i].normal, &coords[b * dim], arcs->corner[j].normal, offset);
+        (void)QuadricTakeArc(&arcs->quadric[own->facet], &coords[a * dim], &coords[b * dim], offset, own->normal);
+      }
       for (PetscInt d = 0; d < dim && middle; d++) own->normal[d] = middle->normal[d];
     }
   }
@@ -473,7 +515,7 @@ PetscErrorCode TreeArcsApply(Tree *tree, BodyList *list)
     if (ends[0] < 0 || TreeArcsIsOfFile_Private(arcs, ends[0], ends[1])) continue;
     if (!TreeArcsOffset_Private(tree, list->coords, ends[0], ends[1], offset)) {
       // the middle of a face on a side, between the middles of its edges, which may be on arcs
-      if (!TreeIsKept(tree) || arcs->start[v + 1] == arcs->start[v]) continue;
+      if (!TreeIsKept(tree) || arcs->middle || arcs->start[v + 1] == arcs->start[v]) continue;
       PetscCall(PetscArrayzero(offset, dim));
     }
     for (PetscInt d = 0; d < dim; d++)

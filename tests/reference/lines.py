@@ -115,34 +115,66 @@ class LinePair(Pair):
         return 4 * s * (1 - s) * (self.rise[tuple(facet)] @ n) if tuple(facet) in self.rise else 0.0
 
     def side_shape(self, facets):
-        """{node: unit normal}, {node: curvature} of a smooth side. Normals: those of the chords between nodes over their lengths (eq. 4.1). An end
-        turns on from the nodes of its facet that have chords on both sides, with the curvature there."""
-        around, normal = {}, {}
+        """{node: unit normal}, {node: curvature} of a smooth side. Circles: normals of the chords between nodes over their lengths (eq. 4.1); normals
+        from these by eq. 4.1b."""
+        around, circle, ahead = {}, {}, {}
         for facet in facets:
             along = [facet[0], *facet[2:], facet[1]]
             for node in facet:
                 around.setdefault(node, []).append(facet)
-            for chord_ends in zip(along, along[1:]):
-                dx, dy = self.scene.points[chord_ends[1]] - self.scene.points[chord_ends[0]]
-                for node in chord_ends:
-                    normal[node] = normal.get(node, 0.0) + np.array([dy, -dx]) / (dx * dx + dy * dy)
-        normal = {node: unit(n) for node, n in normal.items()}
-        inner = {node for node, own in around.items() if len(own) == 2 or node in own[0][2:]}
-        for end in around.keys() - inner:
-            turned = [n for near in around[end][0] if near in inner and (n := self.turned_on(near, end, around, normal, inner)) is not None]
-            if turned:
-                normal[end] = unit(sum(turned))
+            for a, b in zip(along, along[1:]):
+                dx, dy = self.scene.points[b] - self.scene.points[a]
+                ahead[a] = b
+                for node in (a, b):
+                    circle[node] = circle.get(node, 0.0) + np.array([dy, -dx]) / (dx * dx + dy * dy)
+        circle = {node: unit(n) for node, n in circle.items()}
+        normal = self.normals_of(circle, ahead)
         return normal, {node: self.curvature(node, around, normal, around) for node in around}
 
-    def turned_on(self, near, end, around, normal, inner):
-        """The normal at an end of a side, as a node inside has it; None where the side does not turn."""
-        step, known = self.scene.points[end] - self.scene.points[near], self.curvature(near, around, normal, inner)
-        if known is None:
-            along = normal[near] @ step
-            return normal[near] - 2 * along / (step @ step) * step if abs(along) > FLAT * math.hypot(*step) else None
-        tau = np.array([-normal[near][1], normal[near][0]])
-        turn = known * (step @ tau)
-        return turn * tau + math.sqrt(1 - turn**2) * normal[near] if abs(turn) > FLAT else None
+    def normals_of(self, circle, ahead):
+        """{node: normal} from four chords around each node (eq. 4.1b). [in] circle - normals from two; ahead - {node: the next one}"""
+        ways = (ahead, {b: a for a, b in ahead.items()})
+        inner = ways[0].keys() & ways[1].keys()
+        length = lambda a, b: math.hypot(*(self.scene.points[b] - self.scene.points[a]))
+        both = {node: sum(length(node, way[node]) for way in ways) for node in inner}
+
+        def mirrored(n, a, b):
+            step = self.scene.points[b] - self.scene.points[a]
+            return n - 2 * (n @ step) / (step @ step) * step
+
+        def goes_on(node, way):
+            """Whether the circle of a node passes through one chord more on a way."""
+            other = way[node]
+            if other not in inner:
+                return False
+            image = mirrored(circle[other], node, other)
+            return np.linalg.norm(circle[node] - image) <= max(1e-4 * np.linalg.norm(circle[other] - image), FLAT)
+
+        normal, curved = dict(circle), set()
+        for node in inner:
+            if any(goes_on(node, way) for way in ways):
+                continue
+            known = [way for way in ways if way[node] in inner]
+            exact = [mirrored(circle[way[node]], node, way[node]) for way in known if goes_on(way[node], way)]
+            if exact:
+                normal[node] = unit(sum(exact))
+                continue
+            curved.add(node)
+            means = []  # of both circles on a way, with the length of both chords there
+            for way in known:
+                beyond, near = both[way[node]], both[node] - length(node, way[node])
+                means.append((beyond, (beyond * circle[node] + near * mirrored(circle[way[node]], node, way[node])) / (beyond + near)))
+            if len(means) == 2:
+                normal[node] = unit(means[1][0] * means[0][1] + means[0][0] * means[1][1])
+            elif means:
+                normal[node] = unit(means[0][1])
+        for end in circle.keys() - inner:
+            near = next(way[end] for way in ways if end in way)
+            if near in inner:
+                image, own = mirrored(normal[near], end, near), length(end, near)
+                turn = np.linalg.det([normal[near], circle[near]]) * own / (both[near] - own) if near in curved else 0.0
+                normal[end] = unit(image + turn * np.array([-image[1], image[0]]))
+        return normal
 
     def curvature(self, node, around, normal, counted):
         """Mean of dn/dx along the tangent over the other nodes of the facets at a node; None without one that counts."""

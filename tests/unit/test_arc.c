@@ -2,6 +2,7 @@
    at all. */
 #include "kernel/arc.h"
 #include "kernel/frame.h"
+#include "kernel/quadric.h"
 #include <test.h>
 
 #include "uniform.h"
@@ -128,6 +129,43 @@ static void TestBulge(void)
   }
 }
 
+/* Arcs are not on a cone; its quadric takes them there, with its normal. Those of a sphere stay as they are. */
+static void TestQuadric(void)
+{
+  const PetscReal t = 0.3, root = PetscSqrtReal(1 + t * t); // of the cone r = 1 + t z
+  const Quadric   cone   = {{1, 0, 0}, {0, 1, 0, -t, 0.5, 0, 0, 0.5, 0, -t * t / 2}};
+  const Quadric   sphere = {{1, 0, 0}, {0, 1, 0, 0, 0.5, 0, 0, 0.5, 0, 0.5}};
+  PetscInt        moved  = 0;
+
+  for (PetscInt trial = 0; trial < 1000; trial++) {
+    const PetscReal angle = Uniform(-3, 3), turn = Uniform(0.1, 0.5);
+    PetscReal       X[6], N[6], offset[3], normal[3], x[3], r;
+
+    for (PetscInt i = 0; i < 2; i++) {
+      const PetscReal a = angle + (PetscReal)i * turn, z = Uniform(-0.3, 0.3);
+
+      for (PetscInt k = 0; k < 2; k++) {
+        N[3 * i + k] = (k ? PetscSinReal(a) : PetscCosReal(a)) / root;
+        X[3 * i + k] = (1 + t * z) * N[3 * i + k] * root;
+      }
+      N[3 * i + 2] = -t / root;
+      X[3 * i + 2] = z;
+    }
+    ArcOffset(3, X, N, &X[3], &N[3], offset);
+    if (QuadricTakeArc(&cone, X, &X[3], offset, normal)) {
+      for (PetscInt k = 0; k < 3; k++) x[k] = (X[k] + X[3 + k]) / 2 + offset[k];
+      r = PetscSqrtReal(x[0] * x[0] + x[1] * x[1]);
+      CHECK_NEAR(r, 1 + t * x[2], 1e-12);
+      CHECK_NEAR((normal[0] * x[0] + normal[1] * x[1]) / r, 1 / root, 1e-12);
+      moved++;
+    }
+    for (PetscInt i = 0; i < 2; i++) (void)FrameNormalize(3, &X[3 * i]);
+    ArcOffset(3, X, X, &X[3], &X[3], offset);
+    CHECK(!QuadricTakeArc(&sphere, X, &X[3], offset, NULL));
+  }
+  CHECK(moved > 500);
+}
+
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -137,6 +175,7 @@ int main(int argc, char **argv)
   TestEllipse();
   TestFlat();
   TestBulge();
+  TestQuadric();
   PetscCall(PetscFinalize());
   return 0;
 }
