@@ -42,9 +42,9 @@ static PetscErrorCode FacetIntegralFindColumn_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The gap at a point: measured, or given, plus the offset. */
-static PetscErrorCode FacetIntegralGapAt_Private(const FacetPartner *partner, PetscInt n, const PetscReal X[],
-                                                 const PetscReal phi[], PetscReal *gap)
+/* Adds the offset to the gap at a point. */
+static PetscErrorCode FacetIntegralAddOffset_Private(const FacetPartner *partner, PetscInt n, const PetscReal X[],
+                                                     const PetscReal phi[], PetscReal *gap)
 {
   PetscReal x[3] = {0, 0, 0}, offset;
 
@@ -52,7 +52,6 @@ static PetscErrorCode FacetIntegralGapAt_Private(const FacetPartner *partner, Pe
   for (PetscInt i = 0; i < n; i++) {
     for (PetscInt k = 0; k < partner->dim; k++) x[k] += phi[i] * X[i * partner->dim + k];
   }
-  if (partner->spec->gap) PetscCall(ExpressionEvaluate(partner->spec->gap, partner->dim, x, gap));
   if (partner->spec->gap_offset) {
     PetscCall(ExpressionEvaluate(partner->spec->gap_offset, partner->dim, x, &offset));
     *gap += offset;
@@ -146,7 +145,7 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
-    PetscCall(FacetIntegralGapAt_Private(partner, num_nodes, facet->X, phi, &gap));
+    PetscCall(FacetIntegralAddOffset_Private(partner, num_nodes, facet->X, phi, &gap));
     list->point[p].gap = gap;
     if (!partner->gap_only && (p == 0 || f != list->facet[p - 1]))
       PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));

@@ -172,9 +172,10 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   PetscCall(SideShapeCreate(level, mortar, &shape));
   PetscCall(SideShapeIsCurved(level, &assembly->nonmortar, &assembly->shape, &curved));
   PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
-  if (!curved_m) PetscCall(PetscFree(assembly->bulges));
-  PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
-                            &bulges, &pair->curve_error[1]));
+  if (!curved_m && !pair->spec->gap) PetscCall(PetscFree(assembly->bulges));
+  if (!pair->spec->gap)
+    PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
+                              &bulges, &pair->curve_error[1]));
   pair->smooth[1] = bulges ? PETSC_TRUE : PETSC_FALSE;
   PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || bulges ? &shape : NULL, bulges,
                                 pair->reach + assembly->motion, surface));
@@ -201,7 +202,7 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
   PetscCall(SmoothGapCreate(level, spec, &assembly->nonmortar, &assembly->shape,
                             PairIsPolygonal_Private(level, &spec->nonmortar), &assembly->bulges,
                             &pair->curve_error[0]));
-  if (spec->obstacle.kind == OBSTACLE_PLANE) PetscCall(PetscFree(assembly->bulges));
+  if (spec->obstacle.kind == OBSTACLE_PLANE && !spec->gap) PetscCall(PetscFree(assembly->bulges));
   if (!assembly->gap_only) {
     PetscCall(ReachChoose(spec, level, support, &assembly->nonmortar, meshed ? &mortar : NULL, &partner.reach));
     if (meshed) PetscCall(ReachWiden(spec, level, &assembly->nonmortar, &mortar, &partner.reach));

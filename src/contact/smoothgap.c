@@ -4,7 +4,7 @@
    radius. On most meshes that is as much as an interference fit, or the approach of two bodies. Nodes are on
    the curved side, and their normals determine its curve between them. In integrals, points stay on the
    facets. Only the gap is that of the curves, to first order: their distance from the facets along the ray is
-   added. The formula of an obstacle is evaluated on the curve instead: it need not fall along the normal. */
+   added. A formula of the gap is evaluated on the curve instead: it need not fall along the normal. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
@@ -86,6 +86,12 @@ static PetscBool SmoothGapRiseFacet_Private(const Level *level, const Facets *fa
   return any;
 }
 
+/* The formula of the gap; NULL where it is measured. */
+static Expression SmoothGapFormula_Private(const ScenePair *spec)
+{
+  return spec->gap ? spec->gap : spec->obstacle.gap;
+}
+
 /* How far a gap by a formula is from linear, on the facet or on its curve: the sum over the nodes of second
    order. [in] X - of the vertices, on the facet; [in] bulge - or NULL */
 static PetscErrorCode SmoothGapFormulaBend_Private(Expression gap, ElementType type, const PetscReal X[],
@@ -131,14 +137,14 @@ static PetscErrorCode SmoothGapFormulaFollows_Private(Expression gap, ElementTyp
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
                                PetscBool polygonal, PetscReal **bulges, PetscReal *left)
 {
-  const PetscInt  dim     = level->dim;
-  const PetscBool formula = (PetscBool)(spec->obstacle.kind == OBSTACLE_EXPRESSION);
-  PetscReal       X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
+  const PetscInt   dim     = level->dim;
+  const Expression formula = SmoothGapFormula_Private(spec);
+  PetscReal        X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
 
   PetscFunctionBeginUser;
   *bulges = NULL;
   *left   = 0;
-  if (spec->gap || (formula && polygonal)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (formula && polygonal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscCalloc1(facets->num * F * dim + 1,
                          bulges)); // not NULL on ranks without facets, too: NULL means that no rank has a curve
   for (PetscInt f = 0; f < facets->num; f++) {
@@ -154,8 +160,7 @@ PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets
       any = SmoothGapRiseFacet_Private(level, facets, f, X, N, bulge);
     else
       any = ArcBulge(ElementLinear(type), X, N, bulge);
-    if (formula && any)
-      PetscCall(SmoothGapFormulaFollows_Private(spec->obstacle.gap, ElementLinear(type), X, bulge, &any));
+    if (formula && any) PetscCall(SmoothGapFormulaFollows_Private(formula, ElementLinear(type), X, bulge, &any));
     if (formula && !any) continue;
     largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, bulge));
     if (!any || ElementOrder(type) > 1) continue;
@@ -185,23 +190,25 @@ static void SmoothGapAlongRay_Private(const FacetPartner *partner, const ClipFac
   FrameNormalize(dim, n);
 }
 
-/* The gap on the curve by a formula, less that on the facet. */
+/* The gap on the facet by a formula, and that on the curve less this. */
 static PetscErrorCode SmoothGapOfFormula_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                 const PetscReal bulges[], const ClipPoint *point, PetscReal *off)
+                                                 const PetscReal bulges[], ClipPoint *point, PetscReal *off)
 {
-  PetscReal x[3], rise[3], phi[ELEMENT_MAX_NODES], gap;
-  PetscBool rises = PETSC_FALSE;
+  const Expression formula = SmoothGapFormula_Private(partner->spec);
+  PetscReal        x[3], rise[3] = {0, 0, 0}, phi[ELEMENT_MAX_NODES], gap;
+  PetscBool        rises = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   *off = 0;
-  ArcRise(facet->type, bulges, point->xi, rise);
+  if (bulges && ElementOrder(facet->type) == 1) ArcRise(facet->type, bulges, point->xi, rise);
   ElementSurface(facet->type, facet->X, point->xi, x, phi, NULL);
+  PetscCall(ExpressionEvaluate(formula, partner->dim, x, &point->gap));
   for (PetscInt k = 0; k < partner->dim; k++) {
     rises = (PetscBool)(rises || rise[k] != 0);
     x[k] += rise[k];
   }
   if (!rises) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(ExpressionEvaluate(partner->spec->obstacle.gap, partner->dim, x, &gap));
+  PetscCall(ExpressionEvaluate(formula, partner->dim, x, &gap));
   *off = gap - point->gap;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -211,22 +218,22 @@ PetscErrorCode SmoothGapApply(const FacetPartner *partner, const ClipFacet *face
 {
   const MortarSurface *mortar  = partner->mortar;
   const PetscReal     *rise_m  = mortar ? mortar->bulges : NULL;
-  const PetscBool      formula = (PetscBool)(partner->spec->obstacle.kind == OBSTACLE_EXPRESSION);
+  const Expression     formula = SmoothGapFormula_Private(partner->spec);
 
   PetscFunctionBeginUser;
   *most = 0;
-  if (!bulges && !rise_m) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!formula && !bulges && !rise_m) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt p = 0; p < list->num; p++) {
     ClipPoint     *point = &list->point[p];
     const PetscInt f     = list->facet[p];
     PetscReal      n[3], off = 0;
 
     SmoothGapAlongRay_Private(partner, facet, point->xi, n);
-    if (formula && ElementOrder(facet->type) == 1)
+    if (formula)
       PetscCall(SmoothGapOfFormula_Private(partner, facet, bulges, point, &off));
     else if (bulges && ElementOrder(facet->type) == 1)
       off -= ArcHeight(facet->type, bulges, point->xi, n);
-    if (rise_m && ElementOrder(mortar->type[f]) == 1)
+    if (!formula && rise_m && ElementOrder(mortar->type[f]) == 1)
       off += ArcHeight(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);
     point->gap += off;
     *most = PetscMax(*most, PetscAbsReal(off));

@@ -33,13 +33,13 @@ def ring(folder, bore, order, cells, by):
     else:
         scene.block("ring", (4, cells // 4, 2), (low, 0, 0), (high, 1, 3), map=f"x*cos({angle}),x*sin({angle}),z",
                     bc_normal="bottom,top,front,back", **options)
-    scene.pairs.append("joint")
-    scene.give(joint_nonmortar=f"ring:{side}")
-    return scene
+    return scene, side
 
 
 def fit(folder, bore, formula, order, cells, by):
-    scene, radius = ring(folder, bore, order, cells, by), FIT + OVERLAP if bore else FIT - OVERLAP
+    (scene, side), radius = ring(folder, bore, order, cells, by), FIT + OVERLAP if bore else FIT - OVERLAP
+    scene.pairs.append("joint")
+    scene.give(joint_nonmortar=f"ring:{side}")
     if formula:
         scene.give(joint_obstacle="expression", joint_obstacle_gap=f"sqrt(x^2+y^2)-{radius}" if bore else f"{radius}-sqrt(x^2+y^2)")
     else:
@@ -57,6 +57,17 @@ def judge_fit(run, bore, formula, order, cells, by, *words):
     near(f"{name}: mean pressure", done.pair("joint")["mean_pressure"], expected, relative=0.01)
     near(f"{name}: least and largest pressure", [pressure.min(), pressure.max()], [expected] * 2, relative=0.02)
     require(not done.summary["warnings"], f"{name}: {[warning['text'] for warning in done.summary['warnings']]}")
+
+
+def judge_given(run, order, swapped):
+    """The gap of a pair by a formula: a shaft 1e4 times as stiff, without an overlap of the meshes."""
+    name = f"given_{order}{'_swapped' if swapped else ''}"
+    scene, side = ring(run.folder / "meshes" / name, True, order, 32, "file")
+    scene.file("shaft", roundmesh.ring(WITHIN, FIT, 40, 4, order, 0.2), run.folder / "meshes" / name, young=1e4 * YOUNG, bc_displacement="inner",
+               bc_displacement_inner="0,0")
+    scene.joint("joint", f"ring:{side}", "shaft:outer", swapped)
+    scene.give(joint_gap=f"{FIT - OVERLAP}-sqrt(x^2+y^2)" if swapped else f"sqrt(x^2+y^2)-{FIT + OVERLAP}")
+    near(f"{name}: mean pressure", scene.solve(run, name).pair("joint")["mean_pressure"], lame(OUTSIDE), relative=0.01)
 
 
 def judge_floor(run, order):
@@ -85,6 +96,9 @@ def judge(run):
             for case in cases:
                 with found.case():
                     judge_fit(run, bore, formula, *case)
+    for swapped in (False, True):
+        with found.case():
+            judge_given(run, 1, swapped)
     for order in (1, 2):
         with found.case():
             judge_floor(run, order)
