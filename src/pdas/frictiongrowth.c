@@ -56,6 +56,7 @@ static PetscErrorCode FrictionGrowthRun_Private(SNES snes, FrictionMethod method
     }
     part = PetscMin(1, last * factor);
   }
+  if (last < 1) pdas->converged = PETSC_FALSE; // with a part of the coefficients, at the limit of iterations
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
