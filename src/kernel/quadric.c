@@ -8,7 +8,7 @@
    it. */
 static const PetscReal ON_ARC = 1e-4, OFF_ARC = 0.5;
 
-enum { STEPS = 4 }; /* of Newton's method, which begins close */
+enum { STEPS = 6 }; /* towards the nearest point of the quadric, from close to it */
 
 void QuadricMonomials(const PetscReal x[3], PetscReal m[])
 {
@@ -43,16 +43,22 @@ PetscBool QuadricTakeArc(const Quadric *quadric, const PetscReal x0[3], const Pe
                          PetscReal normal[3])
 {
   const PetscReal rise = VectorNorm(3, offset);
-  PetscReal       x[3], way[3], gradient[3];
+  PetscReal       x[3], middle[3], way[3], gradient[3];
 
   if (!quadric || !(rise > 0) || VectorNorm(3, &quadric->c[QUADRIC_LINEAR]) == 0) return PETSC_FALSE;
-  for (PetscInt k = 0; k < 3; k++) x[k] = (x0[k] + x1[k]) / 2 + offset[k] - quadric->origin[k];
+  for (PetscInt k = 0; k < 3; k++) {
+    middle[k] = (x0[k] + x1[k]) / 2 - quadric->origin[k];
+    x[k]      = middle[k] + offset[k];
+  }
   for (PetscInt step = 0; step < STEPS; step++) {
     const PetscReal value = QuadricValue_Private(quadric->c, x, gradient), square = VectorDot(3, gradient, gradient);
+    PetscReal       along = -value;
 
-    for (PetscInt k = 0; k < 3 && square > 0; k++) x[k] -= value / square * gradient[k];
+    if (!(square > 0)) return PETSC_FALSE;
+    for (PetscInt k = 0; k < 3; k++) along += (x[k] - middle[k]) * gradient[k];
+    for (PetscInt k = 0; k < 3; k++) x[k] = middle[k] + along / square * gradient[k];
   }
-  for (PetscInt k = 0; k < 3; k++) way[k] = x[k] + quadric->origin[k] - (x0[k] + x1[k]) / 2 - offset[k];
+  for (PetscInt k = 0; k < 3; k++) way[k] = x[k] - middle[k] - offset[k];
   if (!(VectorNorm(3, way) > ON_ARC * rise && VectorNorm(3, way) < OFF_ARC * rise)) return PETSC_FALSE;
   for (PetscInt k = 0; k < 3; k++) offset[k] += way[k];
   for (PetscInt k = 0; k < 3 && normal; k++) normal[k] = gradient[k];

@@ -18,8 +18,8 @@ typedef struct {
 /* The monomials m(x). Not collective. [out] m - [QUADRIC_MONOMIALS] */
 void QuadricMonomials(const PetscReal x[3], PetscReal m[]);
 
-/* Moves the middle of a curve over an edge onto a quadric, if the curve is not on it. Arcs (4.5) are on
-   cylinders and spheres, not on cones. Not collective. Returns whether it did.
+/* Moves the middle of a curve over an edge to the point of a quadric that is nearest to the edge's, if it is
+   not there. Arcs (4.5) are on cylinders and spheres, not on cones. Not collective. Returns whether it did.
    [in] quadric - optional, may be NULL; x0, x1 - ends; [in,out] offset - of the curve's middle from the
    edge's; [out] normal - of the quadric there, not set where nothing was moved; optional, may be NULL */
 PetscBool QuadricTakeArc(const Quadric *quadric, const PetscReal x0[3], const PetscReal x1[3], PetscReal offset[3],
