@@ -7,20 +7,17 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
+#include "mesh/sidepatch.h"
 
 /* Normals of one vertex: patches that meet there. */
 enum { F = ELEMENT_MAX_FACET_NODES, MAX_NORMALS = 3 };
-
-/* Normals of facets of one patch differ by less than 45 degrees; differences below SAME_NORMAL are
-   roundoff. */
-static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SAME_NORMAL = 1e-11;
 
 static PetscBool NormalsDiffer_Private(PetscInt dim, const PetscReal a[], const PetscReal b[])
 {
   PetscReal most = 0;
 
   for (PetscInt k = 0; k < dim; k++) most = PetscMax(most, PetscAbsReal(a[k] - b[k]));
-  return (PetscBool)(most > SAME_NORMAL);
+  return (PetscBool)(most > FLAT_SIDE);
 }
 
 /* The normals of a vertex of a list, each once.

@@ -9,14 +9,13 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
+#include "mesh/sidepatch.h"
 #include "mesh/sidesums.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, AHEAD = 0, BEHIND = 1, SIDES = 2 };
 
 /* Circles agree if their normals differ by less than this share of the angle between two nodes. */
 static const PetscReal SAME_CIRCLE = 1e-4;
-/* Differences of unit normals below this are roundoff: flat. */
-static const PetscReal FLAT_SIDE = 1e-11;
 /* The angle that the patch fills around an inner node, as a share of a full turn, is one up to this. */
 static const PetscReal ONE_TURN = 0.2;
 

@@ -10,6 +10,7 @@
 #include "kernel/dense.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
+#include "mesh/sidepatch.h"
 #include "mesh/sidesums.h"
 
 enum {
@@ -26,8 +27,6 @@ enum {
 /* What a corner sums: G, and the number of facets at its node, then of points around. */
 enum { SUM_COUNT = GRAM, SUMS };
 
-/* The patch surrounds a node; its normals are close to those of means over facets. */
-static const PetscReal INNER_TURN = 0.8, SURELY_SMOOTH = 0.92387953251128674;
 /* Root of the mean square distance of points on a quadric, of theirs from the node. */
 static const PetscReal ON_QUADRIC = 1e-5, CONFIRMS = 1e-4;
 /* Eigenvalues of G below this share are zero: of several quadrics, the flattest one counts. */

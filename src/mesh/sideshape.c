@@ -7,18 +7,14 @@
 #include "mesh/arcnormals.h"
 #include "mesh/sidecurves.h"
 #include "mesh/sidehanging.h"
+#include "mesh/sidepatch.h"
 #include "mesh/sidequadrics.h"
 #include "mesh/sidesums.h"
 #include "kernel/vector.h"
 
-/* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
-   that. */
-static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
-/* Share of a full turn that the facets of a patch fill around an inner node. An end of a line fills half, a
-   corner less than a third. */
-static const PetscReal INNER_TURN = 0.8, END_TURN = 0.35, FULLER = 0.1;
-/* Differences of unit normals below this are roundoff: flat. */
-static const PetscReal FLAT_SIDE = 1e-11;
+/* Share of a full turn that the patch fills: more at an end of a line, less at a corner. A neighbour counts
+   there if its patch fills more by FULLER. */
+static const PetscReal END_TURN = 0.35, FULLER = 0.1;
 /* Angles between 78 and 102 degrees, by their cosine, are those of rectangles that were cut. */
 static const PetscReal RIGHT_ANGLE = 0.2;
 /* Neighbours lie on a line whose second moment across it is below this share. */

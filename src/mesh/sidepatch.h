@@ -1,0 +1,16 @@
+/* sidepatch.h -- limits of the smooth patches of a side. Private. */
+#ifndef MORTISE_SIDEPATCH_H
+#define MORTISE_SIDEPATCH_H
+
+#include "base/compat.h"
+
+/* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
+   that. */
+static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
+/* Share of a full turn that the facets of a patch fill around an inner node. An end of a line fills half, a
+   corner less than a third. */
+static const PetscReal INNER_TURN = 0.8;
+/* Differences of unit normals below this are roundoff: flat. */
+static const PetscReal FLAT_SIDE = 1e-11;
+
+#endif
