@@ -154,7 +154,13 @@ def check_summary(program, folder):
 # --- commands ---------------------------------------------------------------------------------------------------------
 
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$\n*((?:^    [^\n]*\n)*)", re.MULTILINE | re.DOTALL)  # language, text, what is said below it
+VARIES = re.compile(r"[\d.]+ s;|[\d.]+ +\d+ MB$|by \d\.\de-1\d$")  # seconds, memory, roundoff
 FILE = re.compile(r'(?:# |// |""")(\w+\.\w+): ')  # the first line of a block that is a file
+
+
+def lines_of(text):
+    """Lines without what varies from run to run, and without their indentation."""
+    return [" ".join(VARIES.sub("", line).split()) for line in text.splitlines()]
 
 
 def check_commands(program, folder, part=0, parts=1, python=False):
@@ -168,6 +174,7 @@ def check_commands(program, folder, part=0, parts=1, python=False):
             (folder / FILE.match(block).group(1)).write_text(block)
     for blocks in [blocks for blocks in chapters if any(language == "sh" for language, _, _ in blocks)][part::parts]:
         for _, block, said in (found for found in blocks if found[0] == "sh"):
+            printed = ["..."]
             if block.startswith("gmsh ") and not shutil.which("gmsh"):
                 break
             for line in block.splitlines():
@@ -181,6 +188,9 @@ def check_commands(program, folder, part=0, parts=1, python=False):
                     yield f"exit code {done.returncode}, not {wanted}: {command}\n{done.stdout}{done.stderr}"
                 elif python and done.stdout != textwrap.dedent(said):
                     yield f"{command} prints\n{done.stdout}and not, as the page says,\n{said}"
+                printed += lines_of(done.stdout + done.stderr)
+            if printed[1:]:
+                yield from (f"{block}does not print, as the page says,\n{line}" for line in lines_of(said) if line not in printed)
 
 
 def main():
