@@ -13,6 +13,9 @@
   "contact with friction did not converge: take smaller -load_steps; the coefficient may be so large that there are "  \
   "several solutions, or none"
 
+/* Residual of the law, relative to the forces, that a solution may have. */
+static const PetscReal FRICTION_RTOL = 1e-10;
+
 typedef enum { UNIT_FREE, UNIT_STICK, UNIT_SLIP } UnitStatus;
 
 typedef struct {
@@ -33,6 +36,7 @@ typedef struct {
   PetscInt      n, num;   /* unknowns; units */
   FrictionUnit *unit;     /* [num] */
   PetscReal    *y, *r;    /* [n] */
+  PetscReal     least;    /* residual so far */
   PetscInt      waiting;  /* steps since the last one that descended */
   PetscReal     roundoff; /* of a value, in units of the largest */
 } FrictionUnits;
@@ -142,7 +146,6 @@ PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, FrictionReport *re
 typedef struct {
   PetscReal residual, size; /* of the law, and of other unknowns unless these are eliminated; its reference */
   PetscInt  changed, closed, iterations;
-  PetscInt  waiting;   /* steps since the last one that descended */
   PetscBool shortened; /* the step was shortened, or made longer */
   PetscBool done;      /* the law holds */
 } FrictionStep;
@@ -156,7 +159,7 @@ struct _n_FrictionMethod {
   PetscBool     plain;   /* decisions follow from the last step alone: no sweeps or proximal steps before them */
   PetscBool     decided; /* the next step takes the decisions as they are */
   void         *data;
-  /* Resets the history of steps, for other limits. */
+  /* Forgets the steps before; NULL where there is nothing to forget. */
   PetscErrorCode (*restart)(FrictionMethod);
   PetscErrorCode (*step)(FrictionMethod, FrictionStep *step);
   /* Solves by complementary pivoting, if that is possible; NULL for never.
@@ -170,6 +173,8 @@ struct _n_FrictionMethod {
   PetscErrorCode (*destroy)(FrictionMethod);
 };
 
+/* Resets the history of steps, for other limits. Collective. */
+PetscErrorCode FrictionIterationRestart(FrictionMethod method);
 /* One Newton step, recorded in method->pdas. Collective. */
 PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionStep *step);
 /* Newton steps until the law holds. Collective. [in] start - initial guess; [in] stops - gives up where steps

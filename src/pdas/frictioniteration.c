@@ -7,12 +7,36 @@ enum { PLAIN_PROBLEMS = 12 };
 /* The iteration goes on from elsewhere after STALLED_STEPS steps in a row that do not descend, or if the
    residual is larger than the forces after FAR_STEPS. Not where a coarser mesh gave the initial states. */
 enum { STALLED_STEPS = 2, FAR_STEPS = 2 };
+/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. After
+   SWEPT_PATIENCE of them it begins anew without sweeps and proximal steps. */
+enum { PATIENCE = 40, SWEPT_PATIENCE = 10 };
+static const PetscReal DESCENT = 0.9;
 /* Above this coefficient tangential forces may be larger than pressures. Solutions with smaller coefficients
    are found first where steps stall, and where pivoting is not possible. */
 static const PetscReal LARGE_COEFFICIENT = 1;
 
 #define FAILURE_FIXED_POINT                                                                                            \
   "the fixed point iteration over Tresca's friction does not converge, as for a large coefficient"
+
+PetscErrorCode FrictionIterationRestart(FrictionMethod method)
+{
+  PetscFunctionBeginUser;
+  method->units.least   = PETSC_MAX_REAL;
+  method->units.waiting = 0;
+  if (method->restart) PetscCall((*method->restart)(method));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Counts steps in a row that do not descend. */
+static void FrictionIterationCount_Private(FrictionMethod method, const FrictionStep *step)
+{
+  const PetscInt patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
+  FrictionUnits *units    = &method->units;
+
+  units->waiting = step->residual < DESCENT * units->least ? 0 : units->waiting + 1;
+  units->least   = PetscMin(units->least, step->residual);
+  if (!step->done && units->waiting >= patience) method->pdas->failure = FAILURE_FRICTION;
+}
 
 PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionStep *step)
 {
@@ -21,6 +45,7 @@ PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionS
   PetscFunctionBeginUser;
   *step = (FrictionStep){0};
   PetscCall((*method->step)(method, step));
+  FrictionIterationCount_Private(method, step);
   pdas->converged                   = step->done;
   pdas->changed[pdas->iterations++] = step->changed;
   pdas->linear_iterations += step->iterations;
@@ -46,7 +71,7 @@ static PetscErrorCode FrictionIterationMove_Private(SNES snes, FrictionMethod me
 
   PetscFunctionBeginUser;
   if (method->pivot) PetscCall((*method->pivot)(method, PETSC_FALSE, &done));
-  PetscCall(done ? (*method->restart)(method) : FrictionRelease(snes, method, start, residual));
+  PetscCall(done ? FrictionIterationRestart(method) : FrictionRelease(snes, method, start, residual));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -58,14 +83,15 @@ PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec sta
   PetscBool       moved = (PetscBool)(method->plain || pdas->fixed_point || warm);
 
   PetscFunctionBeginUser;
-  PetscCall((*method->restart)(method));
+  PetscCall(FrictionIterationRestart(method));
   pdas->converged = PETSC_FALSE;
   while (!pdas->converged && !pdas->failure && pdas->iterations < pdas->max_it) {
     FrictionStep step;
 
     PetscCall(FrictionIterationStep(snes, method, &step));
     if ((moved && !stops) || step.done || pdas->failure) continue;
-    if (step.waiting < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size)) continue;
+    if (method->units.waiting < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size))
+      continue;
     if (stops) break;
     moved = PETSC_TRUE;
     PetscCall(FrictionIterationMove_Private(snes, method, start, step.residual));

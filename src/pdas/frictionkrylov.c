@@ -5,17 +5,11 @@
 #include "pdas/frictionlinear.h"
 #include "pdas/fullsolver.h"
 
-/* Residual of the law, relative to the forces, that a solution may have. */
-static const PetscReal FRICTION_RTOL = 1e-10;
 /* Reduction of the residual by a linear system: FIRST_FORCING at first; TIGHTER times that after steps that
    do not descend, at least TIGHT_FORCING. Once decisions hold: LAST_FORCING of the tolerance, at least
    LEAST_FORCING. */
 static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5, LAST_FORCING = 0.2,
                        LEAST_FORCING = 1e-9;
-/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. After
-   SWEPT_PATIENCE of them it begins anew without proximal steps. */
-enum { PATIENCE = 40, SWEPT_PATIENCE = 10 };
-static const PetscReal DESCENT = 0.9;
 /* Tolerance of coarser levels: their solution is only an initial guess. */
 static const PetscReal LEVEL_RTOL = 1e-5;
 /* The law's residual may have this part of the tolerance of systems: the error in the energy norm is
@@ -40,11 +34,10 @@ typedef struct {
   PetscReal     *from;  /* the same of the set [n] */
   Vec            f, d;  /* right-hand side and solution of a step */
   PetscBool     *all;   /* true [n] */
-  PetscReal      forcing, least, reference;
+  PetscReal      forcing, reference;
   PetscReal      size;    /* of the law's forces */
   PetscReal      last;    /* residual after the last step */
   PetscReal      ratio;   /* residual after the last step over the one before it */
-  PetscInt       waiting; /* steps since the last one that descended */
   PetscBool      strays;  /* a step did not descend: no more proximal steps */
   PetscBool      told;    /* decisions are set in the cycle */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
@@ -127,12 +120,13 @@ static PetscErrorCode FrictionKrylovLoad_Private(FrictionMethod method)
 /* Accuracy of the next system. It is higher if steps do not descend, since they may be too inexact. If
    decisions hold it is that of the tolerance: in a plane the system is then the law itself. In space slip
    turns, and it is that which Newton's method can use. Without contact there may be no force as reference. */
-static PetscReal FrictionKrylovForce_Private(Krylov *t, PetscReal rtol, PetscReal residual, const FrictionReport *count,
-                                             const FrictionStep *step)
+static PetscReal FrictionKrylovForce_Private(FrictionMethod method, PetscReal rtol, PetscReal residual,
+                                             const FrictionReport *count, const FrictionStep *step)
 {
+  Krylov   *t = method->data;
   PetscReal end;
 
-  if (t->waiting > 1) t->forcing = PetscMax(TIGHTER * t->forcing, TIGHT_FORCING);
+  if (method->units.waiting > 1) t->forcing = PetscMax(TIGHTER * t->forcing, TIGHT_FORCING);
   if (step->changed || residual == 0) return t->forcing;
   if (!step->closed && !count->slipping && !count->sticking) return LEAST_FORCING;
   end = PetscMax(LAST_FORCING * rtol * t->size / residual, LEAST_FORCING);
@@ -227,7 +221,7 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   PetscFunctionBeginUser;
   if (!method->decided) PetscCall(FrictionUnitsDecide(&method->units, &step->changed));
   PetscCall(FrictionUnitsCount(&method->units, &count, &step->closed));
-  *forcing = method->decided ? t->forcing : FrictionKrylovForce_Private(t, rtol, residual, &count, step);
+  *forcing = method->decided ? t->forcing : FrictionKrylovForce_Private(method, rtol, residual, &count, step);
   PetscCall(VecCopy(t->y, t->begin));
   FrictionUnitsProject(&method->units, t->from);
   PetscCall(FrictionKrylovPrescribe_Private(method));
@@ -253,11 +247,8 @@ static PetscErrorCode FrictionKrylovSolve_Private(FrictionMethod method, PetscRe
   PetscCall(VecAXPY(t->y, 1, t->d));
   PetscCall(FrictionKrylovEvaluate_Private(method, step));
   if (!step->done) PetscCall(FrictionKrylovSearch_Private(method, step));
-  t->ratio              = before > 0 ? step->residual / before : 1;
-  t->waiting            = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
-  t->least              = PetscMin(t->least, step->residual);
-  t->last               = step->residual;
-  method->units.waiting = t->waiting;
+  t->ratio = before > 0 ? step->residual / before : 1;
+  t->last  = step->residual;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -277,7 +268,7 @@ static PetscErrorCode FrictionKrylovConfirm_Private(FrictionMethod method, Frict
   if (t->turns && count.slipping) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionUnitsCompare(&method->units, &confirmed.changed));
   if (confirmed.changed) PetscFunctionReturn(PETSC_SUCCESS);
-  forcing = FrictionKrylovForce_Private(t, rtol, step->residual, &count, &confirmed);
+  forcing = FrictionKrylovForce_Private(method, rtol, step->residual, &count, &confirmed);
   PetscCall(FrictionKrylovSolve_Private(method, step->residual, forcing, step));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -292,7 +283,7 @@ static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
   PetscReal    largest;
 
   PetscFunctionBeginUser;
-  t->strays = (PetscBool)(t->strays || t->waiting);
+  t->strays = (PetscBool)(t->strays || method->units.waiting);
   PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
   if (method->plain || method->decided || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecCopy(t->y, t->d));
@@ -307,10 +298,8 @@ static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
 
 static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
 {
-  const PetscInt patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
-  Krylov        *t        = method->data;
-  FrictionStep   before;
-  PetscReal      forcing = FIRST_FORCING;
+  FrictionStep before;
+  PetscReal    forcing = FIRST_FORCING;
 
   PetscFunctionBeginUser;
   PetscCall(FrictionKrylovSettle_Private(method));
@@ -318,8 +307,6 @@ static PetscErrorCode Step_Krylov(FrictionMethod method, FrictionStep *step)
   PetscCall(FrictionKrylovDecide_Private(method, before.residual, step, &forcing));
   PetscCall(FrictionKrylovSolve_Private(method, before.residual, forcing, step));
   PetscCall(FrictionKrylovConfirm_Private(method, step));
-  step->waiting = t->waiting;
-  if (!step->done && t->waiting >= patience) method->pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -352,11 +339,8 @@ static PetscErrorCode Restart_Krylov(FrictionMethod method)
   Krylov *t = method->data;
 
   PetscFunctionBeginUser;
-  t->least              = PETSC_MAX_REAL;
-  t->forcing            = FIRST_FORCING;
-  t->waiting            = 0;
-  t->strays             = PETSC_FALSE;
-  method->units.waiting = 0;
+  t->forcing = FIRST_FORCING;
+  t->strays  = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

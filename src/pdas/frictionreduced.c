@@ -5,19 +5,12 @@
    refinement). */
 #include "pdas/frictionimpl.h"
 
-/* Residual of the law, relative to the forces, that a solution may have. */
-static const PetscReal FRICTION_RTOL = 1e-10;
-/* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual, and
-   begins anew without sweeps after SWEPT_PATIENCE of them. */
-enum { PATIENCE = 40, SWEPT_PATIENCE = 10, FRICTION_REFINEMENTS = 2 };
-static const PetscReal DESCENT = 0.9;
+enum { FRICTION_REFINEMENTS = 2 };
 
 typedef struct {
   PetscMPIInt     rank;
   FrictionProblem problem;
   PetscReal      *from, *to; /* y at the begin and the end of a step; on the first rank [n] */
-  PetscReal       least;     /* residual so far */
-  PetscInt        waiting;   /* steps since then */
 } Reduced;
 
 /* Slope of the energy without friction between t->from and t->to, with the forces of y: -r (to - from)
@@ -103,9 +96,8 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, FrictionStep *st
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* One step on the first rank. [in] patience - steps; [out] failed */
-static PetscErrorCode FrictionReducedStepFirst_Private(FrictionMethod method, PetscInt patience, FrictionStep *step,
-                                                       PetscBool *failed)
+/* One step on the first rank. */
+static PetscErrorCode FrictionReducedStepFirst_Private(FrictionMethod method, FrictionStep *step)
 {
   Reduced       *t     = method->data;
   FrictionUnits *units = t->problem.units;
@@ -122,25 +114,17 @@ static PetscErrorCode FrictionReducedStepFirst_Private(FrictionMethod method, Pe
   step->iterations = 1;
   if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionReducedSearch_Private(t, step));
-  t->waiting     = step->residual < DESCENT * t->least ? 0 : t->waiting + 1;
-  t->least       = PetscMin(t->least, step->residual);
-  units->waiting = step->waiting = t->waiting;
-  *failed                        = (PetscBool)(t->waiting >= patience);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode Step_Reduced(FrictionMethod method, FrictionStep *step)
 {
-  const PetscInt patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
-  Reduced       *t        = method->data;
-  PetscBool      failed   = PETSC_FALSE;
+  Reduced *t = method->data;
 
   PetscFunctionBeginUser;
-  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(method, patience, step, &failed));
+  if (!t->rank) PetscCall(FrictionReducedStepFirst_Private(method, step));
   method->decided = PETSC_FALSE;
   PetscCallMPI(MPI_Bcast(step, sizeof(*step), MPI_BYTE, 0, method->pdas->set.comm));
-  PetscCallMPI(MPI_Bcast(&failed, 1, MPIU_BOOL, 0, method->pdas->set.comm));
-  if (failed) method->pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -168,17 +152,6 @@ static PetscErrorCode Set_Reduced(FrictionMethod method, Vec y)
   PetscCall(SchurSolverGather(method->solver, own, t->rank ? NULL : method->units.y));
   PetscCall(PetscFree(own));
   if (!t->rank) PetscCall(FrictionProblemSetForces(&t->problem));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-static PetscErrorCode Restart_Reduced(FrictionMethod method)
-{
-  Reduced *t = method->data;
-
-  PetscFunctionBeginUser;
-  t->least              = PETSC_MAX_REAL;
-  t->waiting            = 0;
-  method->units.waiting = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -297,7 +270,6 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&t));
   method->data    = t;
-  method->restart = Restart_Reduced;
   method->step    = Step_Reduced;
   method->pivot   = Pivot_Reduced;
   method->get     = Get_Reduced;

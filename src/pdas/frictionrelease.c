@@ -50,7 +50,7 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
   PetscCall((*method->get)(method, before));
   PetscCall(VecCopy(start, without));
   PetscCall(FrictionReleaseSolve_Private(snes, method, without, &solved));
-  PetscCall((*method->restart)(method));
+  PetscCall(FrictionIterationRestart(method));
   if (solved) {
     FrictionUnitsForget(units);
     PetscCall((*method->set)(method, without));
@@ -60,7 +60,7 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
     PetscCall(PetscInfo(snes, "friction: back from the solution without it\n"));
     PetscCall(PetscArraycpy(units->unit, kept, units->num));
     PetscCall((*method->set)(method, before));
-    PetscCall((*method->restart)(method));
+    PetscCall(FrictionIterationRestart(method));
     pdas->failure = NULL;
   }
   PetscCall(VecDestroy(&before));
