@@ -96,7 +96,7 @@ PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec sta
     moved = PETSC_TRUE;
     PetscCall(FrictionIterationMove_Private(snes, method, start, step.residual));
   }
-  if (!pdas->converged && !pdas->failure) pdas->failure = pdas->fixed_point ? FAILURE_FIXED_POINT : FAILURE_FRICTION;
+  if (!pdas->converged && !pdas->failure && pdas->iterations < pdas->max_it) pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -104,9 +104,10 @@ static PetscErrorCode ContactRowsAllocate_Private(VI vi, PetscInt most, ContactR
   return PetscMalloc3(most * vi->rigid_modes.num, &rows->rows, most, &rows->equality, most, &rows->place);
 }
 
-PetscErrorCode ContactRowsUpdate(VI vi, Solvability s)
+PetscErrorCode ContactRowsUpdate(VI vi, Solvability s, PetscReal part)
 {
   PetscFunctionBeginUser;
+  PetscCall(FrictionRowsUpdate(vi, s, part));
   if (!vi->friction)
     s->forces_at = s->overlap;
   else if (!s->cut)
@@ -129,7 +130,7 @@ PetscErrorCode ContactRowsCreate(VI vi, Solvability s)
     PetscCall(ContactRowsMoveToCorners_Private(vi, &s->nodal, NULL, &s->overlap));
     if (vi->friction) PetscCall(ContactRowsAllocate_Private(vi, FrictionRowsCountMost(vi), &s->forces_at));
   }
-  PetscCall(ContactRowsUpdate(vi, s));
+  PetscCall(ContactRowsUpdate(vi, s, 1));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

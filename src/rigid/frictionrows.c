@@ -11,15 +11,17 @@
 /* Edges of the pyramid: it exceeds the cone by 2 percent. */
 enum { PYRAMID_EDGES = 16, MOST_GENERATORS = PYRAMID_EDGES + FRICTION_TANGENTS };
 
-/* Generators of one node, or a copy of a row without friction. [in] a - of the law, -1 without friction */
-static void FrictionRowsAddNode_Private(VI vi, Solvability s, PetscInt r, PetscInt a, ContactRows *rows, PetscInt of[])
+/* Generators of one node, or a copy of a row without friction.
+   [in] part - of the coefficients; [in] a - of the law, -1 without friction */
+static void FrictionRowsAddNode_Private(VI vi, Solvability s, PetscReal part, PetscInt r, PetscInt a)
 {
   const PetscInt   m      = s->m;
   const PetscReal *normal = &s->nodal.rows[r * m], *slide = &s->slide[(r + 1) * m];
   const PetscInt   tangents = a < 0 ? 0 : vi->friction->tangent[FRICTION_TANGENTS * a + 1] < 0 ? 1 : 2;
-  const PetscReal  mu       = a < 0 ? 0 : vi->friction->coefficient[a];
+  const PetscReal  mu       = a < 0 ? 0 : part * vi->friction->coefficient[a];
   const PetscInt   edges    = mu > 0 ? (tangents == 1 ? 2 : PYRAMID_EDGES) : 1;
   const PetscReal  wide     = edges == PYRAMID_EDGES ? mu / PetscCosReal(PETSC_PI / PYRAMID_EDGES) : mu;
+  ContactRows     *rows     = &s->friction;
 
   for (PetscInt e = 0; e < edges + (a >= 0 && vi->friction->bound[a] > 0 ? tangents : 0); e++) {
     PetscReal      *row   = &rows->rows[rows->num * m];
@@ -34,22 +36,20 @@ static void FrictionRowsAddNode_Private(VI vi, Solvability s, PetscInt r, PetscI
       if (mu > 0) row[k] += wide * PetscCosReal(angle) * slide[k];
       if (mu > 0 && tangents == 2) row[k] += wide * PetscSinReal(angle) * slide[m + k];
     }
-    rows->equality[rows->num] = (PetscBool)(e >= edges || s->nodal.equality[r]);
-    rows->place[rows->num]    = s->nodal.place[r];
-    of[rows->num++]           = r;
+    rows->equality[rows->num]    = (PetscBool)(e >= edges || s->nodal.equality[r]);
+    rows->place[rows->num]       = s->nodal.place[r];
+    s->friction_row[rows->num++] = r;
   }
 }
 
-PetscErrorCode FrictionRowsUpdate(VI vi, Solvability s)
+PetscErrorCode FrictionRowsUpdate(VI vi, Solvability s, PetscReal part)
 {
-  ContactRows *rows = &s->friction;
-
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
-  rows->num = 0;
+  s->friction.num = 0;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (s->tangent[r]) continue; // comes with its normal row
-    FrictionRowsAddNode_Private(vi, s, r, FrictionLawFind(vi->friction, vi->row_dof[r]), rows, s->friction_row);
+    FrictionRowsAddNode_Private(vi, s, part, r, FrictionLawFind(vi->friction, vi->row_dof[r]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -74,7 +74,6 @@ PetscErrorCode FrictionRowsCreate(VI vi, Solvability s)
     PetscCall(PetscArraycpy(&s->slide[r * m], &s->nodal.rows[r * m], m));
     PetscCall(PetscArrayzero(&s->nodal.rows[r * m], m)); // a row of zeros constrains nothing
   }
-  PetscCall(FrictionRowsUpdate(vi, s));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

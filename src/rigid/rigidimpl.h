@@ -7,16 +7,16 @@
 
 /* Sets solvability->overlap and forces_at. Collective. */
 PetscErrorCode ContactRowsCreate(VI vi, Solvability solvability);
-/* Sets forces_at for other coefficients of friction. Collective. */
-PetscErrorCode ContactRowsUpdate(VI vi, Solvability solvability);
+/* Sets friction and forces_at for a part of the present coefficients of friction. Collective. */
+PetscErrorCode ContactRowsUpdate(VI vi, Solvability solvability, PetscReal part);
 PetscErrorCode ContactRowsDestroy(Solvability solvability);
 /* The rows as a Cone, borrowed. Not collective. */
 Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
 
-/* Sets slide, tangent, friction and friction_row of solvability; nothing without friction. Not collective. */
+/* Sets slide and tangent of solvability; nothing without friction. Not collective. */
 PetscErrorCode FrictionRowsCreate(VI vi, Solvability solvability);
-/* The same for other coefficients. Not collective. */
-PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability);
+/* Sets friction and friction_row for a part of the present coefficients. Not collective. */
+PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability, PetscReal part);
 /* Rows that resist rigid motions where contacts are pressed: tangents beside normals.
    [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool pressed[], PetscReal rows[]);

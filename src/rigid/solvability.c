@@ -33,6 +33,9 @@ static const PetscReal OUTSIDE = 1e-11;
 /* A motion that opens no contact by more than this part of its size is a free motion. On curved sides, rows
    that have taken over those of removed nodes are not more accurate. */
 static const PetscReal OPENING = 1e-3;
+/* Loads that this part of the coefficients does not hold are hardly held. With it pyramids are within the
+   cones. */
+static const PetscReal LESS_FRICTION = 0.98;
 
 /* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
 static PetscErrorCode SolvabilityGetModeDisplacement_Private(VI vi, PetscInt k, Vec u)
@@ -550,12 +553,30 @@ PetscErrorCode SolvabilityUpdate(VI vi, Solvability s)
   s->slip   = 0;
   PetscCall(PetscArrayzero(s->balance, vi->num_rows));
   PetscCall(SolvabilitySetLoads_Private(vi, s));
-  PetscCall(FrictionRowsUpdate(vi, s));
-  if (vi->friction) PetscCall(ContactRowsUpdate(vi, s)); // coefficients may have changed
+  PetscCall(ContactRowsUpdate(vi, s, 1)); // coefficients may have changed
   PetscCall(SolvabilityDecide_Private(vi, s));
   if (s->status != SOLVABLE_NOT)
     PetscCall(s->regularization ? RegularizationUpdate(vi, s) : RegularizationCreate(vi, s));
   PetscCall(LogStageEnd(STAGE_CONDENSE));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolvabilityFindHardlyHeld(VI vi, Solvability s)
+{
+  struct _n_Solvability before;
+  SceneMotion           motion;
+
+  PetscFunctionBeginUser;
+  if (!s || !vi->friction || s->driven.num) PetscFunctionReturn(PETSC_SUCCESS);
+  before        = *s;
+  s->motion.num = 0;
+  PetscCall(ContactRowsUpdate(vi, s, LESS_FRICTION));
+  PetscCall(SolvabilityDecide_Private(vi, s));
+  motion = s->motion;
+  if (s->status != SOLVABLE_NOT && motion.num) PetscCall(SceneMotionDestroy(&motion));
+  *s        = before;
+  s->driven = motion;
+  PetscCall(ContactRowsUpdate(vi, s, 1));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -91,6 +91,9 @@ PetscErrorCode SolvabilityCreate(VI vi, Solvability *solvability);
 PetscErrorCode SolvabilityDestroy(Solvability *solvability);
 /* Decides anew for other loads and gaps of the same vi; nothing where there is no solvability. Collective. */
 PetscErrorCode SolvabilityUpdate(VI vi, Solvability solvability);
+/* After a failure: sets driven to the motion on which the loads do work with a little less friction, if there
+   is one; nothing where there is no solvability. Collective. */
+PetscErrorCode SolvabilityFindHardlyHeld(VI vi, Solvability solvability);
 
 /* Whether a rigid motion of floating bodies changes all given gaps to zero, and no others. Collective.
    [in] gaps - of each pair, the same at all its nodes [vi->num_pairs]; [out] takes */

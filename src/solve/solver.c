@@ -210,6 +210,22 @@ static PetscErrorCode SolverFallBack_Private(Solver solver, const SolverChoice *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Names the motion of bodies that friction hardly holds, which is why the solver failed. */
+static PetscErrorCode SolverExplain_Private(Solver solver, SolverReport *report)
+{
+  const Solvability s = solver->solvability;
+
+  PetscFunctionBeginUser;
+  if (!s || s->driven.num) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SolvabilityFindHardlyHeld(solver->vi, s));
+  if (s->driven.num) {
+    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
+                            "friction holds the loads hardly, or not at all: with 2%% less of it %s",
+                            s->driven.sentence));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report)
 {
   const Scene    scene = solver->vi->scene;
@@ -234,6 +250,7 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
   report->gave_way = solver->gave_way;
   if (!report->converged) PetscCall(MeshLevelsDestroy(&solver->levels));
   PetscCall(SolverFallBack_Private(solver, &choice, progress, guess, y, report));
+  if (!report->converged) PetscCall(SolverExplain_Private(solver, report));
   solver->chosen   = scene->keep;
   solver->gave_way = report->gave_way;
   report->seconds  = LogWallClock() - start;
