@@ -84,7 +84,7 @@ def judge_floor(run, order):
         else:
             scene.plane("floor", "disc", (0, -0.98), (0, 1), side="outer")
         forces.append(scene.solve(run, name).pair("floor")["force"][1])
-    near(f"floor by a formula, order {order}", forces[1], forces[0], relative=5e-3)
+    near(f"floor by a formula, order {order}", forces[1], forces[0], relative=2e-4)
 
 
 def judge(run):

@@ -59,5 +59,5 @@ def judge(run):
                 gaps = [done.summary["check"]["pairs"]["fit"][f"{end}_gap"]["value"] for end in ("least", "largest")]
                 edge = math.pi / 2 * (RADIUS + HEIGHT * slope) / AROUND
                 rise = edge**2 / (8 * RADIUS)
-                require(max(map(abs, gaps)) <= 5e-3 * rise, f"{name}: gaps from {gaps[0]:.3g} to {gaps[1]:.3g}, arcs rise by {rise:.3g}")
+                require(max(map(abs, gaps)) <= 1e-3 * rise, f"{name}: gaps from {gaps[0]:.3g} to {gaps[1]:.3g}, arcs rise by {rise:.3g}")
     found.end()
