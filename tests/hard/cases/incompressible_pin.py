@@ -8,4 +8,4 @@ def judge(run):
     shaft, hub = (1 + nu) * (1 - 2 * nu) / 1e3, (1 + nu) / 2e3
     p = hub * ((1 - 2 * nu) * 4 + 4) / 3 / (shaft + hub * ((1 - 2 * nu) + 4) / 3)
     pressures = run.table("joint")["pressure"]
-    near("pressure", pressures, [p] * len(pressures), relative=1e-4)
+    near("pressure", pressures, [p] * len(pressures), relative=1e-9)

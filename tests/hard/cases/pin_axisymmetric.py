@@ -8,4 +8,4 @@ def judge(run):
     # hub: u = hub ((1 - 2 nu) (p - 4) + 4 (p - 1)) / 3
     p = hub * ((1 - 2 * nu) * 4 + 4) / 3 / (shaft + hub * ((1 - 2 * nu) + 4) / 3)
     pressures = run.table("joint")["pressure"]
-    near("pressure", pressures, [p] * len(pressures), relative=1e-4)
+    near("pressure", pressures, [p] * len(pressures), relative=1e-6)
