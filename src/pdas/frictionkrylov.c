@@ -38,7 +38,6 @@ typedef struct {
   PetscReal      size;    /* of the law's forces */
   PetscReal      last;    /* residual after the last step */
   PetscReal      ratio;   /* residual after the last step over the one before it */
-  PetscBool      strays;  /* a step did not descend: no more proximal steps */
   PetscBool      told;    /* decisions are set in the cycle */
   PetscBool      same;    /* decisions are the initial ones, unchanged */
   PetscBool      turns;   /* units have two tangents: slip may turn */
@@ -283,14 +282,12 @@ static PetscErrorCode FrictionKrylovSettle_Private(FrictionMethod method)
   PetscReal    largest;
 
   PetscFunctionBeginUser;
-  t->strays = (PetscBool)(t->strays || method->units.waiting);
   PetscCall(VecNorm(t->y, NORM_INFINITY, &largest));
-  if (method->plain || method->decided || t->strays || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (method->plain || method->decided || method->units.waiting || largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecCopy(t->y, t->d));
   PetscCall(FrictionProximalApply(&t->linear, &method->units, t->y, t->r, t->begin, t->f));
   PetscCall(FrictionKrylovEvaluate_Private(method, &after));
   if (after.residual < t->last) PetscFunctionReturn(PETSC_SUCCESS);
-  t->strays = PETSC_TRUE;
   PetscCall(VecCopy(t->d, t->y));
   PetscCall(FrictionKrylovEvaluate_Private(method, &after));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -340,7 +337,6 @@ static PetscErrorCode Restart_Krylov(FrictionMethod method)
 
   PetscFunctionBeginUser;
   t->forcing = FIRST_FORCING;
-  t->strays  = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
