@@ -38,6 +38,9 @@ PetscErrorCode PDASSetFriction(SNES snes, const FrictionLaw *law);
 /* Whether limits follow the pressure from one Tresca problem to the next, instead of within Newton's method.
    This second method converges where rho < 1. Collective. */
 PetscErrorCode PDASSetFrictionFixedPoint(SNES snes, PetscBool fixed_point);
+/* Residual of the law and of the systems, relative to the forces, that the next solves may leave, if others
+   follow; not with the second method. 0 for that of a solution. Collective. */
+PetscErrorCode PDASSetFrictionTolerance(SNES snes, PetscReal rtol);
 /* What the next solve must do for rho. Not collective. [in] needed - whether it is wanted; default: yes;
    [in] coarser - results on the mesh whose states are the initial ones of that solve alone, NULL for none */
 PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionReport *coarser);

@@ -156,6 +156,7 @@ struct _n_FrictionMethod {
   PDAS         *pdas;
   ActiveSolver  solver;  /* borrowed */
   FrictionUnits units;   /* all on the first rank, or of each rank its own */
+  PetscReal     rtol;    /* residual that may be left, if it is more than that of a solution */
   PetscBool     plain;   /* decisions follow from the last step alone: no sweeps or proximal steps before them */
   PetscBool     decided; /* the next step takes the decisions as they are */
   void         *data;

@@ -176,13 +176,17 @@ static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, Fric
 PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y)
 {
   struct _n_FrictionMethod method = {.pdas = pdas, .solver = solver};
+  const PetscReal          rtol   = solver->rtol;
 
   PetscFunctionBeginUser;
+  method.rtol  = pdas->fixed_point ? 0 : pdas->friction_rtol;
+  solver->rtol = PetscMax(rtol, method.rtol);
   PetscCall(FrictionIterationCreate_Private(pdas, &method, y));
   PetscCall(pdas->fixed_point ? FrictionIterationFixedPoint_Private(snes, pdas, &method, y)
                               : FrictionIterationSolve_Private(snes, pdas, &method, y));
   PetscCall((*method.finish)(&method, y));
   PetscCall((*method.destroy)(&method));
   PetscCall(FrictionUnitsDestroy(&method.units));
+  solver->rtol = rtol;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -110,7 +110,7 @@ static PetscErrorCode FrictionReducedStepFirst_Private(FrictionMethod method, Fr
   PetscCall(FrictionSystemSolve(&t->problem));
   PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
   PetscCall(FrictionUnitsCount(units, &count, &step->closed));
-  step->done       = (PetscBool)(step->residual <= FRICTION_RTOL * step->size);
+  step->done       = (PetscBool)(step->residual <= PetscMax(FRICTION_RTOL, method->rtol) * step->size);
   step->iterations = 1;
   if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionReducedSearch_Private(t, step));

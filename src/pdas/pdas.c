@@ -86,6 +86,16 @@ PetscErrorCode PDASSetFrictionFixedPoint(SNES snes, PetscBool fixed_point)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASSetFrictionTolerance(SNES snes, PetscReal rtol)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->friction_rtol = rtol;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionReport *coarser)
 {
   PDAS *pdas;

@@ -186,9 +186,10 @@ typedef struct {
   /* friction, */
   const FrictionLaw *law; /* borrowed, or NULL */
   FrictionReport     friction_report;
-  FrictionReport     coarser;     /* of PDASSetFrictionRho(), no nodes for none */
-  PetscBool          rho_skipped; /* rho is not wanted */
-  PetscBool          fixed_point; /* over Tresca problems, instead of Newton's method */
+  FrictionReport     coarser;       /* of PDASSetFrictionRho(), no nodes for none */
+  PetscBool          rho_skipped;   /* rho is not wanted */
+  PetscReal          friction_rtol; /* of PDASSetFrictionTolerance() */
+  PetscBool          fixed_point;   /* over Tresca problems, instead of Newton's method */
   /* and what is kept for the next solve, if matrix and bounds stay the same */
   PetscBool    keep;
   ActiveSet    set;

@@ -22,6 +22,9 @@ static const PetscReal COARSEST_RTOL = 1e-4;
 static const PetscReal NESTED_OTHER_RTOL = 1e-3, NESTED_OTHER_KSP_RTOL = 1e-2;
 /* An unknown is initially active if this part of its prolongation is active. */
 static const PetscReal ACTIVE_SHARE = 0.5;
+/* The same of contact with friction. A node between an open and a closed one is open: its gap may be large,
+   and the first step keeps the decisions. */
+static const PetscReal CLOSED_SHARE = 0.51;
 /* An unknown that is prolonged counts as on its bound within this part of the largest one: rounding. */
 static const PetscReal ON_BOUND = 1e-9;
 /* Largest number of sets on a level that is only a start for the next one. */
@@ -82,8 +85,11 @@ static PetscErrorCode NestedIterationRound_Private(const Operator *op, PetscBool
   PetscCall(VecGetLocalSize(active, &n));
   PetscCall(VecGetArrayRead(op->upper, &upper));
   PetscCall(VecGetArray(active, &a));
-  for (PetscInt i = 0; i < n; i++)
-    a[i] = (friction || PetscRealPart(upper[i]) < PETSC_INFINITY) && PetscRealPart(a[i]) >= ACTIVE_SHARE ? 1 : 0;
+  for (PetscInt i = 0; i < n; i++) {
+    const PetscBool bounded = (PetscBool)(PetscRealPart(upper[i]) < PETSC_INFINITY);
+
+    a[i] = (friction || bounded) && PetscRealPart(a[i]) >= (friction && bounded ? CLOSED_SHARE : ACTIVE_SHARE) ? 1 : 0;
+  }
   PetscCall(VecRestoreArray(active, &a));
   PetscCall(VecRestoreArrayRead(op->upper, &upper));
   PetscFunctionReturn(PETSC_SUCCESS);

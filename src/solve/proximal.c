@@ -26,6 +26,11 @@ static const PetscReal TERM_LIMIT = 1e-8, TERM_STAGNATION = 0.5;
 /* Roundoff of forces relative to the diagonal times the displacements: bodies that overlap are pushed apart
    with nothing to press them together again. */
 static const PetscReal FORCE_ROUNDOFF = 1e-13;
+/* With friction a step may leave this part of the proximal term of the step before it, and the first one
+   FIRST_LOOSE of the forces. Newton's method on the law takes a step less then, or two. */
+static const PetscReal LOOSE_PART = 1e-2, FIRST_LOOSE = 1e-6;
+/* Residual of a solution by a direct solver, relative to the forces. */
+static const PetscReal LAW_RTOL = 1e-10;
 /* Largest number of steps: two or three are usual. */
 enum { PROXIMAL_MAX_STEPS = 50 };
 /* A body that bends easily may resist a motion no more than W. A step that leaves more than SLOW_STEP of the
@@ -102,6 +107,16 @@ static PetscErrorCode ProximalSetTolerance_Private(SNES snes, PetscReal *toleran
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Sets what the next solve may leave of the law of friction; nothing more than a solution, if that is about
+   the same. */
+static PetscErrorCode ProximalLoosen_Private(Proximal *proximal, SNES snes, PetscReal loose)
+{
+  PetscFunctionBeginUser;
+  proximal->loose = loose > PetscMax(LAW_RTOL, proximal->tolerance / TERM_PER_RTOL) ? loose : 0;
+  PetscCall(PDASSetFrictionTolerance(snes, proximal->loose));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscBool pdas)
 {
   const Solvability s = proximal->solvability;
@@ -111,6 +126,7 @@ PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscB
   PetscCall(ProximalSetTolerance_Private(snes, &proximal->tolerance));
   if (guess) PetscCall(ProximalSetCenter_Private(proximal, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
+  if (pdas && proximal->solved.vi->friction) PetscCall(ProximalLoosen_Private(proximal, snes, FIRST_LOOSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -186,7 +202,7 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
 
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done)
 {
-  PetscReal part = 0, way = 0, limit;
+  PetscReal part = 0, way = 0, left = 0, limit;
   PetscBool pdas;
   Vec       active;
 
@@ -199,9 +215,10 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
       report->proximal_steps, (double)part, (double)way));
   /* the next step is smaller by the same factor as the term; the first one does not tell */
   if (report->proximal_steps > 1) way *= part / proximal->last;
-  if (part <= proximal->tolerance && way <= STEP_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
+  if (proximal->loose > 0) PetscCall(PDASGetLinear(snes, NULL, &left, NULL));
+  if (part <= proximal->tolerance && way <= STEP_RTOL && left <= LAW_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
   limit = PetscMax(TERM_LIMIT, proximal->solvability->undecided);
-  if (part <= limit &&
+  if (proximal->loose == 0 && part <= limit &&
       part > TERM_STAGNATION * proximal->last) { // roundoff: the better one of the last two steps is final
     if (part > proximal->last) PetscCall(VecCopy(proximal->rest, y));
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -225,6 +242,8 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   if (pdas) {
     PetscCall(PDASGetActive(snes, &active));
     PetscCall(PDASSetStart(snes, active));
+    if (proximal->solved.vi->friction)
+      PetscCall(ProximalLoosen_Private(proximal, snes, PetscMin(FIRST_LOOSE, LOOSE_PART * part)));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -15,6 +15,7 @@ typedef struct {
   Vec         pull, scale;    /* W (y - y_0); diag(A)^(-1/2) */
   PetscReal   last;           /* size of the proximal term after the last step, relative to the forces */
   PetscReal   tolerance;      /* tolerance for it */
+  PetscReal   loose;          /* what the solve may leave of the law of friction; 0 for a solution */
   PetscInt    num_reductions; /* how often W was reduced */
 } Proximal;
 

@@ -10,6 +10,8 @@ from judge import LONG, Run, require  # noqa: E402 pylint: disable=wrong-import-
 SCENES = 500 if LONG else 8
 ITERATED = (27, 185, 207, 356, 488)  # solved by multigrid, too
 SMALL_RHO = (19, 30, 106)  # rho by multigrid was 1.5 to 2.6 times too small: it ended after three steps
+FEW = (264, 390)  # 14 and 13 Newton steps where each proximal point step is exact
+MOST = 12
 CONFIRMED = (480,)  # the second method found no solution: all nodes of a body that slid freely stuck at once
 
 
@@ -98,5 +100,8 @@ def judge(run):
         require(judge_scene(run, seed, "-warnings", "error") == "solved", f"seed {seed} by both methods")
     for seed in ITERATED:
         require(judge_scene(run, seed, "-pc_type", "truncatedmg") == "solved", f"seed {seed} by multigrid")
+    for seed in FEW:
+        solver = Run(run.program, run.mpiexec, 1, run.folder / f"few{seed}", [*arguments(law(scene(seed)[0], seed)), "-quiet"]).summary["solver"]
+        require(solver["iterations"] <= MOST, f"seed {seed}: {solver['iterations']} Newton steps")
     for seed in SMALL_RHO:
         judge_rho(run, seed)
