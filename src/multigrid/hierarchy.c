@@ -211,18 +211,19 @@ PetscErrorCode HierarchyExtend(Hierarchy h, PetscBool drop, PetscBool renew, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscBool *), void *ctx)
+PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscReal, PetscBool *),
+                                    void     *ctx)
 {
   hierarchy->is_over = is_over;
   hierarchy->ctx     = ctx;
   return PETSC_SUCCESS;
 }
 
-PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over)
+PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscReal left, PetscBool *over)
 {
   PetscFunctionBeginUser;
   *over = PETSC_FALSE;
-  if (hierarchy->is_over) PetscCall((*hierarchy->is_over)(hierarchy->ctx, over));
+  if (hierarchy->is_over) PetscCall((*hierarchy->is_over)(hierarchy->ctx, left, over));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

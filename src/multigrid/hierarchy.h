@@ -24,12 +24,12 @@ typedef struct {
 
 typedef struct _n_Hierarchy {
   PetscInt        num;
-  PetscInt        first;                                 /* the coarsest level that was given */
-  HierarchyLevel *level;                                 /* coarse first */
-  PetscReal       work;                                  /* products with A so far, in products with the finest one */
-  PetscInt        num_systems;                           /* of active sets so far, of all levels */
-  PetscBool       bisected;                              /* as of HierarchyInput */
-  PetscErrorCode (*is_over)(void *ctx, PetscBool *over); /* of HierarchySetCostTest(), or NULL */
+  PetscInt        first;       /* the coarsest level that was given */
+  HierarchyLevel *level;       /* coarse first */
+  PetscReal       work;        /* products with A so far, in products with the finest one */
+  PetscInt        num_systems; /* of active sets so far, of all levels */
+  PetscBool       bisected;    /* as of HierarchyInput */
+  PetscErrorCode (*is_over)(void *ctx, PetscReal left, PetscBool *over); /* of HierarchySetCostTest(), or NULL */
   void *ctx;
 } * Hierarchy;
 
@@ -61,8 +61,10 @@ PetscErrorCode HierarchyDestroy(Hierarchy *hierarchy);
 
 /* Sets the test that ends an iteration which costs too much. Not collective.
    [in] is_over - collective, or NULL; [in] ctx - borrowed */
-PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscBool *), void *ctx);
-/* The result of that test; false without one. Collective. */
-PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscBool *over);
+PetscErrorCode HierarchySetCostTest(Hierarchy hierarchy, PetscErrorCode (*is_over)(void *, PetscReal, PetscBool *),
+                                    void     *ctx);
+/* The result of that test; false without one. Collective.
+   [in] left - products until the solution is expected, or PETSC_MAX_REAL */
+PetscErrorCode HierarchyIsOver(Hierarchy hierarchy, PetscReal left, PetscBool *over);
 
 #endif

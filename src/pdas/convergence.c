@@ -186,6 +186,7 @@ static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscR
     good = (PetscBool)(solution->eta <= solver->target);
     if (good && solver->holds) PetscCall((*solver->holds)(solver, solution, &holds)); // lowers the target where it does
     last = (PetscBool)(holds && solver->target <= solver->rtol); // the target may be reached already, at roundoff
+    t->confirmed = (PetscBool)(t->confirmed || holds);
   }
   if (last) PetscCall(ConvergenceTestFinal_Private(solver, &good));
   *stop = t->done = (PetscBool)(good && (last || !holds));
@@ -196,6 +197,17 @@ static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscR
   }
   t->limit = NEXT_EVALUATION * norm * PetscMin(1, solver->target / solution->eta);
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Products with the matrix until the residual is small enough, at the rate so far; PETSC_MAX_REAL before an
+   iterate has confirmed the set. [in] work - so far */
+static PetscReal ConvergenceGetLeft_Private(const ActiveSolver solver, PetscReal norm, PetscReal work)
+{
+  const FullSolver *t   = solver->data;
+  const PetscReal   end = t->limit * solver->rtol / solver->target;
+
+  if (!t->confirmed || norm >= t->begun) return PETSC_MAX_REAL;
+  return (work - t->work) * PetscLogReal(PetscMax(norm / end, 1)) / PetscLogReal(t->begun / norm);
 }
 
 /* The KSP's test. [in] ctx - ActiveSolver */
@@ -214,14 +226,16 @@ static PetscErrorCode ConvergenceTest_Private(KSP ksp, PetscInt it, PetscReal no
     *reason = KSP_DIVERGED_NANORINF;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
+  PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
+  if (it == 0) t->begun = norm;
+  if (it == 0) t->work = hierarchy->work;
   PetscCall(KSPGetTolerances(ksp, NULL, NULL, NULL, &max_it));
   PetscCall(ConvergenceIsDue_Private(solver, it, norm, &due, &error_reduction));
   if (due) PetscCall(ConvergenceTestIterate_Private(solver, norm, error_reduction, &stop));
   if (stop || norm == 0) {
     *reason = KSP_CONVERGED_RTOL;
   } else {
-    PetscCall(MultigridGetHierarchy(t->pc, &hierarchy));
-    PetscCall(HierarchyIsOver(hierarchy, &t->over));
+    PetscCall(HierarchyIsOver(hierarchy, ConvergenceGetLeft_Private(solver, norm, hierarchy->work), &t->over));
     if (t->over || it >= max_it) *reason = KSP_DIVERGED_ITS;
   }
   PetscFunctionReturn(PETSC_SUCCESS);

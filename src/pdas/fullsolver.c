@@ -225,6 +225,7 @@ static PetscErrorCode Solve_FullSolver(ActiveSolver solver, const PetscBool fixe
   PetscFunctionBeginUser;
   solution->iterations = 0;
   solution->eta        = 0;
+  t->confirmed         = PETSC_FALSE;
   PetscCall(FullSolverPrescribe_Private(solver, fixed, value, solution));
   PetscCall(FullSolverUpdateMatrix_Private(solver, NULL));
   PetscCall(ActiveSolverResidual(solver, fixed, t->y, t->r, t->f, &first));

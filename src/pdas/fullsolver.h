@@ -29,6 +29,9 @@ typedef struct {
   PetscReal       limit;     /* residual in the norm of the KSP at which the iterate is evaluated */
   PetscReal       before;    /* eta of the last rejected iterate */
   PetscReal       norm;      /* its residual in the norm of the KSP */
+  PetscReal       begun;     /* the first residual in that norm */
+  PetscReal       work;      /* of the hierarchy then */
+  PetscBool       confirmed; /* an iterate has confirmed the set */
   PetscBool       done;      /* the last iterate was accepted */
   PetscBool       over;      /* a factorization would cost less */
 } FullSolver;

@@ -29,6 +29,8 @@ static const PetscReal FLOATING_FACTOR = 0.25;
 /* The same ratio once the inequality has been solved with a proximal term: a factorization would begin with
    an unknown contact state again. */
 static const PetscReal FOUND_FACTOR = 2;
+/* The same ratio for what a system will still cost whose set an iterate has confirmed. */
+static const PetscReal LEFT_FACTOR = 0.5;
 /* Assumed part of the bounded unknowns that is free, for the dense factorization of each set. */
 static const PetscReal FREE_PART = 0.5;
 
@@ -99,7 +101,7 @@ static PetscReal CostModelFactor_Private(const CostModel *model)
 }
 
 /* The callback of HierarchySetCostTest(). */
-static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
+static PetscErrorCode IsOverFn(void *ctx, PetscReal left, PetscBool *over)
 {
   CostModel      *model = ctx;
   const PetscReal work  = model->hierarchy->work;
@@ -107,7 +109,8 @@ static PetscErrorCode IsOverFn(void *ctx, PetscBool *over)
   PetscFunctionBeginUser;
   if (model->on && work > (CostModelFloats_Private(model) ? FLOATING_PREDICT_FROM : PREDICT_FROM)) {
     if (!model->asked) PetscCall(CostModelPredict_Private(model));
-    model->over = (PetscBool)(model->on && work > CostModelFactor_Private(model) * CostModelPredicted(model));
+    model->over = (PetscBool)(model->on && work > CostModelFactor_Private(model) * CostModelPredicted(model) &&
+                              left > LEFT_FACTOR * CostModelPredicted(model));
   }
   *over = model->over;
   PetscFunctionReturn(PETSC_SUCCESS);
