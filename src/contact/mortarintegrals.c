@@ -262,24 +262,20 @@ static PetscErrorCode MortarIntegralsConform_Private(Level *level, MortarIntegra
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
-                                     MortarIntegrals *sums)
+/* The integrals over each facet.
+   [in,out] sums - its carrying nodes; points and carriers of facets are added; [out] integrals - [num] */
+static PetscErrorCode MortarIntegralsCompute_Private(Level *level, const FacetPartner *partner, const Facets *facets,
+                                                     Vec normals, MortarIntegrals *sums, FacetIntegral integrals[])
 {
   const PetscInt     dim = level->dim;
   PetscReal          X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
   const PetscScalar *na;
-  FacetIntegral     *integrals;
   const Facets      *at = &sums->carrying.facets;
   OverlapPoints      list;
   Vec                local;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(facets->num, &integrals));
   PetscCall(OverlapPointsCreate(dim, &list));
-  PetscCall(CarryingNodesCreate(level, facets, &sums->carrying));
-  sums->points = NULL;
-  if (!partner->gap_only) PetscCall(PairPointsCreate(&sums->points));
-  PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGetArrayRead(local, &na));
   for (PetscInt f = 0; f < facets->num; f++) {
@@ -303,6 +299,22 @@ PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, 
   PetscCall(VecRestoreArrayRead(local, &na));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
   PetscCall(OverlapPointsDestroy(&list));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortarIntegralsCreate(Level *level, const FacetPartner *partner, const Facets *facets, Vec normals,
+                                     MortarIntegrals *sums)
+{
+  const Facets  *at = &sums->carrying.facets;
+  FacetIntegral *integrals;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(facets->num, &integrals));
+  PetscCall(CarryingNodesCreate(level, facets, &sums->carrying));
+  sums->points = NULL;
+  if (!partner->gap_only) PetscCall(PairPointsCreate(&sums->points));
+  PetscCall(PetscMalloc2(facets->num, &sums->covered, facets->num, &sums->carrier));
+  PetscCall(MortarIntegralsCompute_Private(level, partner, facets, normals, sums, integrals));
   PetscCall(LevelCreateVec(level, 1, &sums->D));
   PetscCall(VecDuplicate(sums->D, &sums->full));
   PetscCall(VecDuplicate(sums->D, &sums->G));
