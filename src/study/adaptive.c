@@ -166,9 +166,15 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
                         adaptive->first + adaptive->history->num, mesh->cells, mesh->unknowns, mesh->iterations,
                         mesh->active, (double)(PERCENT * SolvedMeshGetError(mesh)), (double)mesh->potential,
                         (double)(envelope->num ? EnvelopeGetSeconds(envelope) : mesh->seconds)));
-  for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++)
-    PetscCall(PetscPrintf(comm, "  %12.6g +- %7.2g%%", (double)mesh->goals[g].value,
-                          (double)(PERCENT * mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value))));
+  for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
+    const PetscReal part = mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value);
+
+    PetscCall(PetscPrintf(comm, "  %12.6g", (double)mesh->goals[g].value));
+    if (PetscIsInfOrNanReal(part))
+      PetscCall(PetscPrintf(comm, "%12s", ""));
+    else
+      PetscCall(PetscPrintf(comm, " +- %7.2g%%", (double)(PERCENT * part)));
+  }
   if (envelope->num > 1)
     PetscCall(PetscPrintf(comm, "  largest error at t = %.9g", (double)adaptive->scene->steps.t[envelope->worst]));
   if (!AdaptiveIsMet_Private(adaptive) && expected > mesh->unknowns)
