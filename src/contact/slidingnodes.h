@@ -2,7 +2,6 @@
 #ifndef MORTISE_SLIDINGNODES_H
 #define MORTISE_SLIDINGNODES_H
 
-#include "contact/pair.h"
 #include "contact/redistribution.h"
 
 /* Nodes of a nonmortar side that a support holds along its partner, and that slide. Either the mortar side is

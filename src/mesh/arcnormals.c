@@ -5,7 +5,6 @@
    all where a side ends. */
 #include "mesh/arcnormals.h"
 #include "base/compat.h"
-#include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "mesh/sidepatch.h"
 

@@ -7,6 +7,7 @@
    that of the curved facets. */
 #include "output/fieldwriter.h"
 #include "result/frictionfields.h"
+#include "result/gatherarrays.h"
 #include "result/sidenodes.h"
 #include "base/compat.h"
 

@@ -9,7 +9,6 @@
 #include "result/fields.h"
 #include "result/setupcheck.h"
 #include "output/fileset.h"
-#include "result/gatherarrays.h"
 
 /* Description of a quantity. */
 typedef struct {

@@ -7,7 +7,6 @@
 #include "result/errors.h"
 #include "result/setupcheck.h"
 #include "solve/infsup.h"
-#include "base/usererror.h"
 #include <cjson/cJSON.h>
 #include "output/output.h"
 

@@ -4,7 +4,6 @@
 
 #include "result/fields.h"
 #include "result/frictionfields.h"
-#include "solve/solver.h"
 
 /* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
 typedef struct {

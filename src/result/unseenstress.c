@@ -8,7 +8,6 @@
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
-#include "problem/elasticity.h"
 #include "result/cellstress.h"
 #include "result/unseenstress.h"
 

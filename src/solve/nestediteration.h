@@ -2,7 +2,6 @@
 #ifndef MORTISE_NESTEDITERATION_H
 #define MORTISE_NESTEDITERATION_H
 
-#include "solve/meshlevels.h"
 #include "solve/proximal.h"
 
 /* Solves on all mesh levels but the finest, each from the solution of the one before, and prolongs to the

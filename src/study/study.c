@@ -14,6 +14,7 @@
 #include "study/extrapolation.h"
 #include "study/marking.h"
 #include "study/promotion.h"
+#include "study/study.h"
 #include "study/studyimpl.h"
 #include "study/tablerow.h"
 

@@ -9,7 +9,6 @@
 #include "base/log.h"
 #include "output/output.h"
 #include "study/meshhistory.h"
-#include "study/study.h"
 
 enum { NAME_LENGTH = 128, REASON_LENGTH = 256, ERROR_TEXT = 64 };
 

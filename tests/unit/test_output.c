@@ -12,6 +12,7 @@
 #include "output/output.h"
 #include "base/json.h"
 #include "output/fieldwriter.h"
+#include "result/gatherarrays.h"
 #include "output/xdmf.h"
 #include "output/xml.h"
 
