@@ -4,11 +4,14 @@
    at nodes. Then their averages differ from them by nothing, though quadratic parts are missing in all cells.
    Second derivatives tell these. They come from slopes of the recovered stress over cells, whose averages at
    vertices have slopes again. Stresses of straight cells are polynomials of the place; those of curved ones
-   are not, and may be nearer. Nor are those of quadrilaterals, which have some of these parts. */
+   are not, and may be nearer. */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
+#include "problem/elasticity.h"
+#include "result/calibration.h"
 #include "result/cellstress.h"
+#include "result/unseencubic.h"
 #include "result/unseenstress.h"
 
 enum {
@@ -110,12 +113,13 @@ static PetscErrorCode UnseenStressCreateSlopes_Private(Level *level, const Nodal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Stresses that are quadratic functions of the place, and the linear ones of a cell. */
+/* A straight cell with stresses that are quadratic functions of the place. */
 typedef struct {
-  PetscInt  dim;
-  PetscReal middle[DIM];
-  PetscReal second[DIM][DIM][STRESSES];   /* derivatives */
-  PetscReal nearest[STRESSES][FUNCTIONS]; /* coefficients of linear functions */
+  PetscInt  dim, material;
+  PetscReal X[DIM * ELEMENT_MAX_NODES], middle[DIM];
+  PetscReal slope[DIM * ELEMENT_MAX_NODES]; /* of UnseenStressGetSlopes_Private() */
+  PetscReal second[DIM][DIM][STRESSES];     /* derivatives */
+  PetscReal nearest[STRESSES][FUNCTIONS];   /* coefficients of linear functions */
 } Quadratic;
 
 /* [out] f - 1 and coordinates [dim + 1]; [out] q - the quadratic stresses [STRESSES] */
@@ -142,15 +146,14 @@ static PetscReal UnseenStressGetPoint_Private(const Level *level, const ElementR
 }
 
 /* Sets the linear functions that are nearest to the quadratic ones in L2. Returns PETSC_FALSE for a cell
-   without volume. [in] X - of its nodes [num_nodes][dim] */
-static PetscBool QuadraticSetNearest_Private(const Level *level, const ElementRule *rule, const PetscReal X[],
-                                             Quadratic *quadratic)
+   without volume. */
+static PetscBool QuadraticSetNearest_Private(const Level *level, const ElementRule *rule, Quadratic *quadratic)
 {
   const PetscInt num                         = quadratic->dim + 1;
   PetscReal      mass[FUNCTIONS * FUNCTIONS] = {0}, x[DIM], f[FUNCTIONS], q[STRESSES];
 
   for (PetscInt p = 0; p < rule->num; p++) {
-    const PetscReal weight = UnseenStressGetPoint_Private(level, rule, p, X, x);
+    const PetscReal weight = UnseenStressGetPoint_Private(level, rule, p, quadratic->X, x);
 
     QuadraticEvaluate_Private(quadratic, x, f, q);
     for (PetscInt i = 0; i < num; i++) {
@@ -163,41 +166,74 @@ static PetscBool QuadraticSetNearest_Private(const Level *level, const ElementRu
   return PETSC_TRUE;
 }
 
-/* [in] slopes - local, of UnseenStressCreateSlopes_Private(); [out] squared - the integral over cell c */
-static PetscErrorCode UnseenStressOfCell_Private(const Level *level, PetscInt c, const ElementRule *rule,
-                                                 const NodeMaterials *at, const PetscScalar slopes[],
-                                                 Compliance *compliance, PetscReal *squared)
+/* The integral over a triangle or tetrahedron. */
+static PetscErrorCode UnseenStressOfSimplex_Private(const Level *level, const ElementRule *rule, Quadratic *quadratic,
+                                                    Compliance *compliance, PetscReal *squared)
 {
-  const PetscInt   dim = level->dim, num = ElementNumNodes(ElementLinear(rule->type));
-  const PetscInt  *nodes = &level->cell_nodes[level->cell_start[c]], material = level->cell_material[c];
-  Quadratic        quadratic = {.dim = dim};
-  PetscReal        X[DIM * ELEMENT_MAX_NODES], slope[DIM * ELEMENT_MAX_NODES], x[DIM], f[FUNCTIONS], q[STRESSES];
+  const PetscInt   num = quadratic->dim + 1;
+  PetscReal        x[DIM], f[FUNCTIONS], q[STRESSES];
   const PetscReal *L;
 
   PetscFunctionBeginUser;
   *squared = 0;
-  VectorGather(dim, ElementNumNodes(rule->type), nodes, level->coords, X);
-  if (!UnseenStressIsStraight_Private(rule->type, dim, X) ||
-      !UnseenStressGetSlopes_Private(dim, num, X, quadratic.middle, slope))
-    PetscFunctionReturn(PETSC_SUCCESS);
+  if (!QuadraticSetNearest_Private(level, rule, quadratic)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (PetscInt p = 0; p < rule->num; p++) {
+    const PetscReal weight = UnseenStressGetPoint_Private(level, rule, p, quadratic->X, x);
+
+    QuadraticEvaluate_Private(quadratic, x, f, q);
+    for (PetscInt s = 0; s < STRESSES; s++) q[s] -= VectorDot(num, f, quadratic->nearest[s]);
+    PetscCall(ComplianceGet(compliance, quadratic->material, x, &L));
+    *squared += weight * ComplianceEnergy(compliance, L, q);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The mean over quadrilateral or hexahedron c. */
+static PetscErrorCode UnseenStressOfBrick_Private(const Level *level, PetscInt c, const ElementRule *rule,
+                                                  const Quadratic *quadratic, Compliance *compliance, PetscReal *mean)
+{
+  const PetscInt dim = quadratic->dim, num = ElementNumNodes(ElementLinear(rule->type));
+  UnseenCubic    cubic = {.dim = dim, .material = quadratic->material};
+  DilatationKind kind;
+  PetscReal      poisson;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < num * dim * dim; i++) {
+    const PetscInt  node = i / (dim * dim), j = i / dim % dim, k = i % dim;
+    const PetscReal xi = ElementNode(rule->type, node)[j] - 0.5;
+
+    cubic.axis[j][k] += 4 * xi * quadratic->X[node * dim + k] / (PetscReal)num;
+    cubic.gradient[j][k] += xi * quadratic->slope[node * dim + k];
+  }
+  PetscCall(PetscArraycpy(cubic.middle, quadratic->middle, dim));
+  PetscCall(PetscArraycpy(&cubic.second[0][0][0], &quadratic->second[0][0][0], DIM * DIM * STRESSES));
+  PetscCall(ElasticityDilatationKind(level->scene, level, c, rule, &kind, &poisson));
+  PetscCall(UnseenCubicEnergy(&cubic, (PetscBool)(kind != DILATATION_POINTWISE), compliance, mean));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Returns PETSC_FALSE for a cell that is curved or has no volume.
+   [in] slopes - local, of UnseenStressCreateSlopes_Private() */
+static PetscBool QuadraticSet_Private(const Level *level, PetscInt c, const NodeMaterials *at,
+                                      const PetscScalar slopes[], Quadratic *quadratic)
+{
+  const ElementType type = (ElementType)level->cell_type[c];
+  const PetscInt    dim = level->dim, num = ElementNumNodes(ElementLinear(type));
+  const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], material = level->cell_material[c];
+
+  *quadratic = (Quadratic){.dim = dim, .material = material};
+  VectorGather(dim, ElementNumNodes(type), nodes, level->coords, quadratic->X);
+  if (!UnseenStressIsStraight_Private(type, dim, quadratic->X)) return PETSC_FALSE;
+  if (!UnseenStressGetSlopes_Private(dim, num, quadratic->X, quadratic->middle, quadratic->slope)) return PETSC_FALSE;
   for (PetscInt i = 0; i < num; i++) {
     const PetscScalar *first = &slopes[(nodes[i] * at->most + NodeMaterialsFind(at, nodes[i], material)) * COLUMNS];
 
     for (PetscInt k = 0; k < dim; k++)
       for (PetscInt l = 0; l < dim; l++)
         for (PetscInt s = 0; s < STRESSES; s++)
-          quadratic.second[k][l][s] += slope[i * dim + k] * PetscRealPart(first[l * STRESSES + s]);
+          quadratic->second[k][l][s] += quadratic->slope[i * dim + k] * PetscRealPart(first[l * STRESSES + s]);
   }
-  if (!QuadraticSetNearest_Private(level, rule, X, &quadratic)) PetscFunctionReturn(PETSC_SUCCESS);
-  for (PetscInt p = 0; p < rule->num; p++) {
-    const PetscReal weight = UnseenStressGetPoint_Private(level, rule, p, X, x);
-
-    QuadraticEvaluate_Private(&quadratic, x, f, q);
-    for (PetscInt s = 0; s < STRESSES; s++) q[s] -= VectorDot(num, f, quadratic.nearest[s]);
-    PetscCall(ComplianceGet(compliance, material, x, &L));
-    *squared += weight * ComplianceEnergy(compliance, L, q);
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
+  return PETSC_TRUE;
 }
 
 PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compliance *compliance,
@@ -209,10 +245,13 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
   Vec                slopes, local;
   NodalStressArrays  stress;
   const PetscScalar *a;
+  Quadratic          quadratic;
+  PetscReal          standard;
 
   PetscFunctionBeginUser;
   for (PetscInt b = 0; b < scene->num_bodies; b++) any = (PetscBool)(any || scene->bodies[b].order == 2);
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(CalibrationGetStandard(level, &standard));
   PetscCall(NodalStressGetArrays(&fields->stress, &stress));
   PetscCall(UnseenStressCreateSlopes_Private(level, &stress, volume, &slopes));
   PetscCall(NodalStressRestoreArrays(&fields->stress, &stress));
@@ -222,8 +261,13 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
     const ElementRule *rule = &rules[level->cell_type[c]];
     PetscReal          squared;
 
-    if (ElementOrder(rule->type) == 1 || ElementNumNodes(ElementLinear(rule->type)) > level->dim + 1) continue;
-    PetscCall(UnseenStressOfCell_Private(level, c, rule, &fields->stress.at, a, compliance, &squared));
+    if (ElementOrder(rule->type) == 1 || !QuadraticSet_Private(level, c, &fields->stress.at, a, &quadratic)) continue;
+    if (ElementNumNodes(ElementLinear(rule->type)) == level->dim + 1) {
+      PetscCall(UnseenStressOfSimplex_Private(level, rule, &quadratic, compliance, &squared));
+    } else {
+      PetscCall(UnseenStressOfBrick_Private(level, c, rule, &quadratic, compliance, &squared));
+      squared *= volume[c] / PetscSqr(standard); // the mean is that of the error itself
+    }
     cell[c] = PetscMax(cell[c], squared);
   }
   PetscCall(VecRestoreArrayRead(local, &a));

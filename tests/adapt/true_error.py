@@ -3,7 +3,7 @@ import math
 
 from judge import read_table, require
 
-RANGE, SMOOTH = (0.8, 1.35), (0.9, 1.1)  # smooth: averages of stresses at nodes alone had 0.82
+RANGE, SMOOTH = (0.8, 1.35), (0.9, 1.1)  # smooth: averages of stresses at nodes alone had 0.82, with kept cells 0.76
 FROM = {1: 40, 2: 1000}  # unknowns; of order 2 the estimate of coarser meshes is up to 2.7 times the error
 RING = -1 / 2 * (1.3 / 1000 * 1 / 3 * (0.4 + 4)) * math.pi / 2  # potential
 
