@@ -1,5 +1,8 @@
 /* cellsums.c -- K as a sum of cell matrices.
 
+   The functions of a cell whose nodes hang on larger cells are those of these cells. Its matrix is that of
+   their nodes before it is added.
+
    A Mat searches the place of every entry, and moves other entries to make room. Here nodes are searched,
    once for all entries of a block. Blocks in rows of other ranks are sent once, as sums, which are made in
    the order of the cells; their owner adds them in the order of the ranks. */
@@ -7,26 +10,110 @@
 #include "base/compat.h"
 #include "mesh/exchange.h"
 
-/* The cells of every node, ghosts included. */
+enum { N = ELEMENT_MAX_NODES, MOST_CARRIED = 9 /* nodes that one hangs on: those of a quad9 */ };
+
+/* The nodes that the functions of a cell belong to: its own ones, and those of larger cells that others of
+   them hang on. */
 typedef struct {
-  PetscInt *start, *cell; /* [num_nodes+1], [start[num_nodes]] */
+  PetscInt  num, node[2 * N]; /* larger cells are neighbours of the cell that this one is a part of */
+  PetscInt  start[N + 1];     /* of each of the cell's own nodes */
+  PetscInt  at[MOST_CARRIED * N];
+  PetscReal weight[MOST_CARRIED * N];
+} Carriers;
+
+static void CarriersAdd_Private(Carriers *carriers, PetscInt place, PetscInt node, PetscReal weight)
+{
+  PetscInt at = 0;
+
+  while (at < carriers->num && carriers->node[at] != node) at++;
+  if (at == carriers->num) carriers->node[carriers->num++] = node;
+  carriers->at[place]     = at;
+  carriers->weight[place] = weight;
+}
+
+/* Returns whether nodes hang. */
+static PetscBool CarriersSet_Private(const Level *level, PetscInt cell, Carriers *carriers)
+{
+  const Hanging  *hanging = &level->hanging;
+  const PetscInt *nodes   = &level->cell_nodes[level->cell_start[cell]];
+  const PetscInt  num     = level->cell_start[cell + 1] - level->cell_start[cell];
+  PetscInt        place   = 0;
+  PetscBool       any     = PETSC_FALSE;
+
+  carriers->num = 0;
+  for (PetscInt i = 0; i < num; i++) {
+    carriers->start[i] = place;
+    if (LevelNodeHangs(level, nodes[i])) {
+      any = PETSC_TRUE;
+      for (PetscInt k = hanging->start[nodes[i]]; k < hanging->start[nodes[i] + 1]; k++)
+        CarriersAdd_Private(carriers, place++, hanging->node[k], hanging->weight[k]);
+    } else {
+      CarriersAdd_Private(carriers, place++, nodes[i], 1);
+    }
+  }
+  carriers->start[num] = place;
+  return any;
+}
+
+/* Nodes that K couples with each other: those of each cell, and each hanging node of this rank with the nodes
+   it hangs on (conforming.h). */
+typedef struct {
+  PetscInt  num;
+  PetscInt *start, *node; /* [num + 1], [start[num]] */
+} Groups;
+
+static PetscErrorCode GroupsCreate_Private(const Level *level, Groups *groups)
+{
+  const Hanging *hanging = &level->hanging;
+  Carriers       carriers;
+
+  PetscFunctionBeginUser;
+  groups->num = level->num_cells;
+  for (PetscInt i = 0; i < level->num_owned; i++) groups->num += LevelNodeHangs(level, i);
+  PetscCall(PetscMalloc1(groups->num + 1, &groups->start));
+  groups->start[0] = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    PetscInt at = level->num_cells;
+
+    if (pass) PetscCall(PetscMalloc1(groups->start[groups->num], &groups->node));
+    for (PetscInt c = 0; c < level->num_cells; c++) {
+      (void)CarriersSet_Private(level, c, &carriers);
+      groups->start[c + 1] = groups->start[c] + carriers.num;
+      if (pass) PetscCall(PetscArraycpy(&groups->node[groups->start[c]], carriers.node, carriers.num));
+    }
+    for (PetscInt i = 0; i < level->num_owned; i++) {
+      const PetscInt num = hanging->start ? hanging->start[i + 1] - hanging->start[i] : 0;
+
+      if (!num) continue;
+      groups->start[at + 1] = groups->start[at] + num + 1;
+      if (pass) {
+        groups->node[groups->start[at]] = i;
+        PetscCall(PetscArraycpy(&groups->node[groups->start[at] + 1], &hanging->node[hanging->start[i]], num));
+      }
+      at++;
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The groups of every node, ghosts included. */
+typedef struct {
+  PetscInt *start, *group; /* [num_nodes+1], [start[num_nodes]] */
 } Stars;
 
-static PetscErrorCode CellSumsListCellsOfNodes_Private(const Level *level, Stars *stars)
+static PetscErrorCode CellSumsListGroupsOfNodes_Private(const Level *level, const Groups *groups, Stars *stars)
 {
   const PetscInt num = level->num_nodes;
   PetscInt      *start;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(num + 2, &stars->start)); // one place ahead, until all cells are listed
+  PetscCall(PetscCalloc1(num + 2, &stars->start)); // one place ahead, until all groups are listed
   start = &stars->start[1];
-  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; i++) start[level->cell_nodes[i] + 1]++;
+  for (PetscInt i = 0; i < groups->start[groups->num]; i++) start[groups->node[i] + 1]++;
   for (PetscInt i = 0; i < num; i++) start[i + 1] += start[i];
-  PetscCall(PetscMalloc1(start[num], &stars->cell));
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    for (PetscInt i = level->cell_start[c]; i < level->cell_start[c + 1]; i++)
-      stars->cell[start[level->cell_nodes[i]]++] = c;
-  }
+  PetscCall(PetscMalloc1(start[num], &stars->group));
+  for (PetscInt g = 0; g < groups->num; g++)
+    for (PetscInt i = groups->start[g]; i < groups->start[g + 1]; i++) stars->group[start[groups->node[i]]++] = g;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -40,14 +127,14 @@ static inline PetscInt CellSumsFindNeighbour_Private(PetscInt num, const PetscIn
   return at;
 }
 
-/* The nodes of some cells, ascending. [out] list - room for all of them, each as often as cells have it */
-static void CellSumsListNeighbours_Private(const Level *level, PetscInt num_cells, const PetscInt cells[],
+/* The nodes of some groups, ascending. [out] list - room for all of them, each as often as groups have it */
+static void CellSumsListNeighbours_Private(const Groups *groups, PetscInt num_groups, const PetscInt group[],
                                            PetscInt *num, PetscInt list[])
 {
   *num = 0;
-  for (PetscInt c = 0; c < num_cells; c++) {
-    for (PetscInt i = level->cell_start[cells[c]]; i < level->cell_start[cells[c] + 1]; i++) {
-      const PetscInt node = level->cell_nodes[i], at = CellSumsFindNeighbour_Private(*num, list, node);
+  for (PetscInt g = 0; g < num_groups; g++) {
+    for (PetscInt i = groups->start[group[g]]; i < groups->start[group[g] + 1]; i++) {
+      const PetscInt node = groups->node[i], at = CellSumsFindNeighbour_Private(*num, list, node);
 
       if (at < *num && list[at] == node) continue;
       for (PetscInt k = (*num)++; k > at; k--) list[k] = list[k - 1];
@@ -60,31 +147,34 @@ PetscErrorCode CellSumsCreate(const Level *level, SymmetricBlocks *sums)
 {
   const PetscInt num  = level->num_nodes;
   PetscInt       most = 0, size, *start, *column;
+  Groups         groups;
   Stars          stars;
 
   PetscFunctionBeginUser;
-  PetscCall(CellSumsListCellsOfNodes_Private(level, &stars));
+  PetscCall(GroupsCreate_Private(level, &groups));
+  PetscCall(CellSumsListGroupsOfNodes_Private(level, &groups, &stars));
   for (PetscInt i = 0; i < stars.start[num]; i++)
-    most += level->cell_start[stars.cell[i] + 1] - level->cell_start[stars.cell[i]];
+    most += groups.start[stars.group[i] + 1] - groups.start[stars.group[i]];
   PetscCall(PetscMalloc1(num + 1, &start));
   PetscCall(PetscMalloc1(most + num, &column));
   start[0] = 0;
   for (PetscInt i = 0; i < num; i++) {
-    CellSumsListNeighbours_Private(level, stars.start[i + 1] - stars.start[i], &stars.cell[stars.start[i]], &size,
+    CellSumsListNeighbours_Private(&groups, stars.start[i + 1] - stars.start[i], &stars.group[stars.start[i]], &size,
                                    &column[start[i]]);
-    if (!size) column[start[i] + size++] = i; // of no cell of this rank: nodes of others hang on it
+    if (!size) column[start[i] + size++] = i; // of no group of this rank
     start[i + 1] = start[i] + size;
   }
   PetscCall(PetscFree(stars.start));
-  PetscCall(PetscFree(stars.cell));
+  PetscCall(PetscFree(stars.group));
+  PetscCall(PetscFree(groups.start));
+  PetscCall(PetscFree(groups.node));
   PetscCall(SymmetricBlocksCreate(level->dim, num, start, column, sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], SymmetricBlocks *sums)
+void CellSumsAddNodes(PetscInt num, const PetscInt nodes[], const PetscReal A[], SymmetricBlocks *sums)
 {
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[cell]], dim = level->dim;
-  const PetscInt  num = level->cell_start[cell + 1] - level->cell_start[cell], n = dim * num;
+  const PetscInt dim = sums->bs, n = dim * num;
 
   for (PetscInt a = 0; a < num; a++) {
     for (PetscInt b = 0; b < num; b++) {
@@ -93,9 +183,43 @@ void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], Symmet
       if (nodes[b] < nodes[a]) continue;
       sum = SymmetricBlocksAt(sums, nodes[a], nodes[b]);
       for (PetscInt k = 0; k < dim; k++)
-        for (PetscInt l = 0; l < dim; l++) sum[dim * k + l] += Ke[(dim * a + k) * n + dim * b + l];
+        for (PetscInt l = 0; l < dim; l++) sum[dim * k + l] += A[(dim * a + k) * n + dim * b + l];
     }
   }
+}
+
+/* B += the rows of A, times their weights, in the places of the nodes that they hang on.
+   [in] A - [dim * number of the cell's nodes][n]; [out] B - [dim * carriers->num][n] */
+static void CarriersCollect_Private(const Carriers *carriers, PetscInt num, PetscInt dim, PetscInt n,
+                                    const PetscReal A[], PetscReal B[])
+{
+  for (PetscInt i = 0; i < dim * carriers->num * n; i++) B[i] = 0;
+  for (PetscInt a = 0; a < num; a++)
+    for (PetscInt k = carriers->start[a]; k < carriers->start[a + 1]; k++)
+      for (PetscInt i = 0; i < dim * n; i++)
+        B[dim * n * carriers->at[k] + i] += carriers->weight[k] * A[dim * n * a + i];
+}
+
+static void CellSumsTranspose_Private(PetscInt rows, PetscInt columns, const PetscReal A[], PetscReal B[])
+{
+  for (PetscInt i = 0; i < rows; i++)
+    for (PetscInt j = 0; j < columns; j++) B[j * rows + i] = A[i * columns + j];
+}
+
+void CellSumsAdd(const Level *level, PetscInt cell, const PetscReal Ke[], SymmetricBlocks *sums)
+{
+  const PetscInt num = level->cell_start[cell + 1] - level->cell_start[cell], dim = level->dim, n = dim * num;
+  Carriers       carriers;
+  PetscReal      half[6 * N * 3 * N], across[3 * N * 6 * N], whole[6 * N * 6 * N];
+
+  if (!level->hanging.start || !CarriersSet_Private(level, cell, &carriers)) {
+    CellSumsAddNodes(num, &level->cell_nodes[level->cell_start[cell]], Ke, sums);
+    return;
+  }
+  CarriersCollect_Private(&carriers, num, dim, n, Ke, half);
+  CellSumsTranspose_Private(dim * carriers.num, n, half, across);
+  CarriersCollect_Private(&carriers, num, dim, dim * carriers.num, across, whole);
+  CellSumsAddNodes(carriers.num, carriers.node, whole, sums);
 }
 
 /* What is added to one block of K. */

@@ -297,6 +297,7 @@ static PetscErrorCode CoarseStiffnessCreateAlone_Private(Level *coarse, const Sy
   PetscCall(CoarseStiffnessSetValues_Private(K, &none, &P, &C));
   PetscCall(MatSeqAIJRestoreArrayRead(nodal, &P.value));
   PetscCall(MatRestoreRowIJ(nodal, 0, PETSC_FALSE, PETSC_FALSE, &P.num, &P.start, &P.column, &done));
+  PetscCall(ConformingHold(coarse, coarse->node_global, &C));
   PetscCall(CellSumsFinish(coarse, coarse->node_global, &C, product));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -329,6 +330,7 @@ static PetscErrorCode CoarseStiffnessCreateTogether_Private(Level *coarse, Mat K
   PetscCall(CoarseStiffnessSetValues_Private(own, &others, &P, &C));
   PetscCall(PetscFree(start));
   PetscCall(PetscFree2(column, value));
+  PetscCall(ConformingHold(coarse, nodes.global, &C));
   PetscCall(CellSumsFinish(coarse, nodes.global, &C, product));
   PetscCall(CoarseNodesDestroy_Private(&nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -353,7 +355,7 @@ PetscErrorCode CoarseStiffnessCreate(Level *coarse, Mat K, Mat P, Mat nodal, Mat
   PetscCall(MatPtAP(whole, P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &C));
   PetscCall(MatProductClear(C)); // it would keep its factors
   PetscCall(MatDestroy(&whole));
-  PetscCall(ConformingHold(coarse, C));
+  PetscCall(ConformingHoldMatrix(coarse, &C));
   PetscCall(StiffnessCreateOfMatrix(C, product));
   PetscCall(MatDestroy(&C));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -365,6 +365,7 @@ static PetscErrorCode ElasticityAssembleCells_Private(Scene scene, Level *level,
     PetscCall(ElasticityAddCell_Private(scene, level, c, &rules[level->cell_type[c]], &laws[level->cell_material[c]],
                                         work, &sums));
   }
+  PetscCall(ConformingHold(level, level->node_global, &sums));
   PetscCall(CellSumsFinish(level, level->node_global, &sums, K));
   PetscCall(CongruentCellsDestroy(&work->known));
   PetscCall(PetscFree(rules));
@@ -383,7 +384,6 @@ PetscErrorCode ElasticityAssemble(Scene scene, Level *level, Mat *K, Vec *f)
 {
   PetscFunctionBeginUser;
   if (K) PetscCall(ElasticityAssembleCells_Private(scene, level, K));
-  if (K) PetscCall(ConformingCreate(level, K));
   PetscCall(LevelCreateVec(level, level->dim, f));
   PetscCall(LoadsAssemble(scene, level, *f));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -123,6 +123,16 @@ static PetscErrorCode MeshLevelsCreateDisplacements_Private(MeshLevels levels, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether node values have the prolongation of displacements, and cells lie in coarser ones of the same rank:
+   adapted meshes are dealt anew. */
+static PetscBool MeshLevelsHavePlaces_Private(MeshLevels levels, PetscInt l, PetscBool least)
+{
+  PetscMPIInt size;
+
+  (void)MPI_Comm_size(levels->vi[l]->level->comm, &size);
+  return MeshLevelsAreCut_Private(levels, l) ? (PetscBool)(size == 1) : (PetscBool)!least;
+}
+
 /* Prolongation from one level of the mesh to another. [out] P - owned by the caller */
 static PetscErrorCode MeshLevelsMultiply_Private(Mesh mesh, PetscInt from, PetscInt to, Mat *P)
 {
@@ -202,7 +212,7 @@ static PetscErrorCode MeshLevelsSetCoarse_Private(MeshLevels levels, PetscInt l,
   if (!*nested) {
     PetscCall(MeshLevelsCreateDisplacements_Private(levels, l + 1, least, P));
     PetscCall(CoarseStiffnessCreate(coarse, fine->K, *P,
-                                    least || MeshLevelsAreCut_Private(levels, l + 1) ? NULL : levels->P[l + 1], &K));
+                                    MeshLevelsHavePlaces_Private(levels, l + 1, least) ? levels->P[l + 1] : NULL, &K));
   }
   if (!levels->vi[l])
     PetscCall(VICreateCoarse(fine, levels->of[l], K, &levels->vi[l]));
