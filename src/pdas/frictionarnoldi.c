@@ -7,7 +7,25 @@
    limit. It has settled if RHO_CALM steps in a row (eigenvalues come in pairs) change it by less than
    RHO_SETTLES of itself or RHO_DISTANT of its distance from 1. What matters is whether it is below 1. */
 enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_CALM = 2, RHO_STEPS = 24 };
-static const PetscReal RHO_TINY = 1e-3, RHO_SMALL = 0.15, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
+static const PetscReal RHO_TINY = 1e-3, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
+
+/* The first vector is smooth: the limits. Parts of it follow the direction of slip and the number of the
+   unknown. So it is in no invariant subspace, such as those of symmetric scenes. */
+static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
+/* The subspace is invariant if this part of its last image is left. */
+static const PetscReal RHO_INVARIANT = 1e-12;
+
+/* [out] seed - the first vector, 0 where the map is 0 [num] */
+static void FrictionArnoldiSetSeed_Private(const FrictionUnits *units, PetscReal seed[])
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    const FrictionUnit *unit = &units->unit[a];
+
+    if (unit->status != UNIT_SLIP || !unit->closed) continue;
+    seed[a] = FrictionUnitLimit(unit, units->r[unit->normal]) *
+              (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal((PetscReal)unit->normal));
+  }
+}
 
 /* Orthogonalizes v against older vectors, and scales it to 1. [out] h - coefficients, then the length of the
    rest [k + 1] */
@@ -44,23 +62,23 @@ static PetscErrorCode FrictionArnoldiLargest_Private(PetscInt size, const PetscS
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal part,
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal part, PetscReal most,
                                       FrictionReport *report)
 {
   const PetscInt num                      = method->units.num;
   PetscScalar    H[RHO_STEPS * RHO_STEPS] = {0};
   PetscReal     *basis[RHO_STEPS + 1], *values, h[RHO_STEPS + 1];
   PetscReal      rho = 0, change = 0;
-  PetscInt       calm    = 0;
+  PetscInt       k = 0, calm = 0;
   PetscBool      settled = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   report->rho_error = 0;
   PetscCall(PetscCalloc1((RHO_STEPS + 1) * num, &values));
   for (PetscInt j = 0; j <= RHO_STEPS; j++) basis[j] = &values[j * num];
-  PetscCall(PetscArraycpy(basis[0], seed, num));
+  FrictionArnoldiSetSeed_Private(&method->units, basis[0]);
   PetscCall(FrictionArnoldiOrthogonalize_Private(method, 0, basis, basis[0], h));
-  for (PetscInt k = 0; k < RHO_STEPS && h[k] > 0 && !settled; k++) {
+  for (; k < RHO_STEPS && h[k] > RHO_INVARIANT * rho && !settled; k++) {
     const PetscReal before = rho;
 
     PetscCall((*map)(method, basis[k], basis[k + 1]));
@@ -70,9 +88,10 @@ PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, co
     report->rho_error = PetscMax(change, PetscAbsReal(rho - before)); // of the last two
     change            = PetscAbsReal(rho - before);
     calm              = change < part * PetscMax(RHO_SETTLES * rho, RHO_DISTANT * PetscAbsReal(1 - rho)) ? calm + 1 : 0;
-    settled           = (PetscBool)((k + 1 >= RHO_FIRST && rho < RHO_TINY) ||
-                          (k + 1 >= RHO_FEW && (rho < RHO_SMALL || calm >= RHO_CALM)));
+    settled           = (PetscBool)(rho > most || (k + 1 >= RHO_FIRST && rho < part * RHO_TINY) ||
+                          (k + 1 >= RHO_FEW && (rho < part * RHO_SMALL || calm >= RHO_CALM)));
   }
+  if (k < RHO_STEPS && !settled) report->rho_error = 0; // the subspace is invariant
   report->rho = rho;
   PetscCall(PetscFree(values));
   PetscFunctionReturn(PETSC_SUCCESS);

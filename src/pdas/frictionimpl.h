@@ -15,6 +15,8 @@
 
 /* Residual of the law, relative to the forces, that a solution may have. */
 static const PetscReal FRICTION_RTOL = 1e-10;
+/* rho below this needs few digits: what matters is whether it is below 1. */
+static const PetscReal RHO_SMALL = 0.15;
 
 typedef enum { UNIT_FREE, UNIT_STICK, UNIT_SLIP } UnitStatus;
 
@@ -139,8 +141,10 @@ PetscErrorCode FrictionProblemSweep(FrictionProblem *problem);
 PetscErrorCode FrictionProblemPivot(FrictionProblem *problem, PetscBool last, PetscBool *done);
 /* One Newton step: y and r of the decisions. */
 PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
-/* rho of FrictionReport and its error, by power iteration. */
-PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, FrictionReport *report);
+/* Factors the system of the decisions with given limits, for FrictionSystemGrow(). */
+PetscErrorCode FrictionSystemFactorGiven(FrictionProblem *problem);
+/* w = coefficient d r_n / d G v at the units that slip. [in] v - [num]; [out] w - [num] */
+PetscErrorCode FrictionSystemGrow(FrictionProblem *problem, const PetscReal v[], PetscReal w[]);
 
 /* Result of a Newton step, the same on all ranks. */
 typedef struct {
@@ -190,10 +194,10 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
 
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
-/* rho = max |eigenvalue of M|, by Arnoldi's method. Collective. [in] seed - in no invariant subspace, 0 where
-   M is 0 [num]; [in] part - of the changes at which rho has settled;
+/* rho = max |eigenvalue of M|, by Arnoldi's method. Collective.
+   [in] part - of the changes at which rho has settled; 0: takes all steps; [in] most - gives up above it;
    [out] report - rho and its error */
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, const PetscReal seed[], PetscReal part,
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal part, PetscReal most,
                                       FrictionReport *report);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]

@@ -16,16 +16,13 @@ static const PetscReal LEVEL_RTOL = 1e-5;
    larger. */
 static const PetscReal LAW_PART = 0.1;
 /* rho hardly depends on the mesh. It is that of the coarser mesh under three conditions: RHO_NODES nodes
-   slip there, it is not within RHO_NEAR of 1, and less than RHO_CHANGES of the nodes changed what they do
-   since. */
+   slip there or it is small, it is not within RHO_NEAR of 1, and less than RHO_CHANGES of the nodes changed
+   what they do since. */
 enum { RHO_NODES = 80 };
-static const PetscReal RHO_NEAR = 0.3, RHO_CHANGES = 0.05;
+static const PetscReal RHO_NEAR = 0.3, RHO_CHANGES = 0.15;
 /* Accuracy of the systems for rho. On the coarser mesh, where steps are cheap, it settles at LEVEL_SETTLES
    of the changes. */
 static const PetscReal RHO_RTOL = 1e-2, LEVEL_SETTLES = 0.2;
-/* The first vector for rho is smooth: the limits. Parts of it follow the direction of slip and the number of
-   the unknown. So it is in no invariant subspace, such as those of symmetric scenes. */
-static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
 
 typedef struct {
   FrictionLinear linear;
@@ -372,46 +369,27 @@ static PetscErrorCode FrictionKrylovGrow_Private(FrictionMethod method, const Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* rho of the present decisions. */
-static PetscErrorCode FrictionKrylovGetRho_Private(FrictionMethod method, FrictionReport *report)
-{
-  Krylov    *t = method->data;
-  PetscReal *seed;
-
-  PetscFunctionBeginUser;
-  t->linear.coupled = PETSC_FALSE;
-  PetscCall(PetscCalloc1(method->units.num, &seed));
-  for (PetscInt a = 0; a < method->units.num; a++) {
-    const FrictionUnit *unit = &method->units.unit[a];
-
-    if (unit->status != UNIT_SLIP || !unit->closed) continue;
-    seed[a] = FrictionUnitLimit(unit, method->units.r[unit->normal]) *
-              (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal((PetscReal)unit->normal));
-  }
-  PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, seed,
-                                   method->solver->rtol > LEVEL_RTOL ? LEVEL_SETTLES : 1, report));
-  report->rho_error += RHO_RTOL * report->rho;
-  PetscCall(PetscFree(seed));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* rho of the report: that of before if decisions are the same, that of the coarser mesh, or its own. */
 static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, FrictionReport *report)
 {
   const PDAS           *pdas    = method->pdas;
-  const Krylov         *t       = method->data;
+  Krylov               *t       = method->data;
   const FrictionReport *coarser = &pdas->coarser;
+  const PetscBool       level   = (PetscBool)(method->solver->rtol > LEVEL_RTOL);
 
   PetscFunctionBeginUser;
   if (pdas->rho_skipped || (t->same && report->rho > 0)) PetscFunctionReturn(PETSC_SUCCESS);
-  if (method->solver->rtol > LEVEL_RTOL && report->slipping < RHO_NODES) PetscFunctionReturn(PETSC_SUCCESS);
-  report->coarser = (PetscBool)(coarser->slipping >= RHO_NODES && PetscAbsReal(coarser->rho - 1) > RHO_NEAR &&
+  report->coarser = (PetscBool)(coarser->rho > 0 && (coarser->slipping >= RHO_NODES || coarser->rho < RHO_SMALL) &&
+                                PetscAbsReal(coarser->rho - 1) > RHO_NEAR &&
                                 (PetscReal)t->changes < RHO_CHANGES * (PetscReal)(report->slipping + report->sticking));
   if (report->coarser) {
     report->rho       = coarser->rho;
     report->rho_error = coarser->rho_error;
   } else {
-    PetscCall(FrictionKrylovGetRho_Private(method, report));
+    t->linear.coupled = PETSC_FALSE;
+    PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, level ? LEVEL_SETTLES : 1,
+                                     level && report->slipping < RHO_NODES ? RHO_SMALL : PETSC_MAX_REAL, report));
+    report->rho_error += RHO_RTOL * report->rho;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

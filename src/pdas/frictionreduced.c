@@ -210,6 +210,13 @@ static PetscErrorCode FrictionReducedRefine_Private(PDAS *pdas, ActiveSolver sol
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static PetscErrorCode FrictionReducedGrow_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
+{
+  Reduced *t = method->data;
+
+  return FrictionSystemGrow(&t->problem, v, w);
+}
+
 /* Marks closed and sticking unknowns, and counts them. Collective. */
 static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
 {
@@ -227,7 +234,8 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     FrictionUnitsMark(&method->units, mark);
     for (PetscInt i = 0; i < method->units.n; i++) all[i] = mark[i] ? 1 : 0;
     PetscCall(FrictionUnitsCount(&method->units, report, &closed));
-    PetscCall(FrictionSystemGetRho(&t->problem, report));
+    PetscCall(FrictionSystemFactorGiven(&t->problem));
+    PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, 0, PETSC_MAX_REAL, report));
     report->coarser = PETSC_FALSE;
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));

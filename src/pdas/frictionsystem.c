@@ -16,8 +16,6 @@
 
 /* Shift of a singular system, as a part of the resistance. */
 static const PetscReal SINGULAR_SHIFT = 1e-10;
-/* Power iteration: number of steps before the growth is measured, and number of measured steps. */
-enum { POWER_FIRST = 30, POWER_STEPS = 60 };
 
 /* Sets fixed unknowns in y, and lists free ones. */
 static void FrictionSystemPrescribe_Private(FrictionProblem *problem)
@@ -136,65 +134,31 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* v := coefficient d r_n / d G v at the units that slip, by the factors of given limits; scaled to 1.
-   [in,out] v - [num]; [out] growth */
-static PetscErrorCode FrictionSystemGrow_Private(FrictionProblem *problem, PetscReal v[], PetscReal *growth)
+PetscErrorCode FrictionSystemFactorGiven(FrictionProblem *problem)
 {
-  const PetscInt N      = problem->units->n;
-  PetscReal      before = 0, after = 0;
+  return FrictionSystemFactor_Private(problem, PETSC_FALSE);
+}
+
+PetscErrorCode FrictionSystemGrow(FrictionProblem *problem, const PetscReal v[], PetscReal w[])
+{
+  const PetscInt N = problem->units->n;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(problem->x, problem->num_free));
   for (PetscInt a = 0; a < problem->units->num; a++) {
     const FrictionUnit *unit = &problem->units->unit[a];
 
-    before += v[a] * v[a];
     for (PetscInt i = 0; unit->status == UNIT_SLIP && i < unit->num; i++)
       problem->x[problem->place[unit->tangent[i]]] = -unit->direction[i] * v[a];
   }
   PetscCall(FrictionSystemSubstitute_Private(problem));
   for (PetscInt a = 0; a < problem->units->num; a++) {
-    const FrictionUnit *unit  = &problem->units->unit[a];
-    PetscReal           force = 0;
-
-    if (unit->status != UNIT_SLIP || !unit->closed) continue;
-    for (PetscInt j = 0; j < N; j++)
-      if (problem->place[j] >= 0) force -= problem->S[N * unit->normal + j] * problem->x[problem->place[j]];
-    v[a] = unit->coefficient * force;
-    after += v[a] * v[a];
-  }
-  *growth = before > 0 ? PetscSqrtReal(after / before) : 0;
-  for (PetscInt a = 0; a < problem->units->num && after > 0; a++) v[a] /= PetscSqrtReal(after);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode FrictionSystemGetRho(FrictionProblem *problem, FrictionReport *report)
-{
-  PetscReal *v, sum[2] = {0, 0}, growth = 0;
-  PetscInt   slipping = 0;
-
-  PetscFunctionBeginUser;
-  report->rho = report->rho_error = 0;
-  PetscCall(PetscCalloc1(problem->units->num, &v));
-  for (PetscInt a = 0; a < problem->units->num; a++) {
     const FrictionUnit *unit = &problem->units->unit[a];
 
-    if (unit->status == UNIT_SLIP && unit->closed && unit->coefficient > 0)
-      v[a] = 1 + 0.5 * PetscSinReal(a); // in no invariant subspace
-    slipping += v[a] > 0 ? 1 : 0;
+    w[a] = 0;
+    for (PetscInt j = 0; unit->status == UNIT_SLIP && unit->closed && j < N; j++)
+      if (problem->place[j] >= 0)
+        w[a] -= unit->coefficient * problem->S[N * unit->normal + j] * problem->x[problem->place[j]];
   }
-  PetscCall(FrictionSystemFactor_Private(problem, PETSC_FALSE));
-  if (slipping) {
-    for (PetscInt k = 0; k < POWER_FIRST + POWER_STEPS; k++) {
-      PetscCall(FrictionSystemGrow_Private(problem, v, &growth));
-      if (growth == 0) break;
-      if (k >= POWER_FIRST) sum[2 * (k - POWER_FIRST) / POWER_STEPS] += PetscLogReal(growth);
-    }
-    if (growth > 0) {
-      report->rho       = PetscExpReal((sum[0] + sum[1]) / POWER_STEPS);
-      report->rho_error = PetscAbsReal(PetscExpReal(2 * sum[1] / POWER_STEPS) - PetscExpReal(2 * sum[0] / POWER_STEPS));
-    }
-  }
-  PetscCall(PetscFree(v));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

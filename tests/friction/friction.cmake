@@ -41,6 +41,8 @@ mortise_scene_test(cone CHECK cone.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(leaning CHECK leaning.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(several SCENE greco CHECK several.py RANKS 1 ARGS -floor_friction 20 -pc_type truncatedmg)
 mortise_scene_test(greco_cost SCENE greco CHECK cost.py ARGS -dm_refine 2 -pc_type truncatedmg)
+mortise_scene_test(plates SCENE two_plates CHECK plates.py RANKS 1 LONG_RANKS 3 ARGS -joint_friction 0.3 -upper_dm_plex_box_faces 36,36
+  -lower_dm_plex_box_faces 28,28 -dm_refine 2 -pc_type truncatedmg)
 mortise_scene_test(coarser SCENE greco CHECK coarser.py RANKS 1 LONG_RANKS 3 ARGS -block_dm_plex_box_faces 45,45 -dm_refine 3 -pc_type truncatedmg)
 mortise_scene_test(greco_iterates_once SCENE greco CHECK iterates.py RANKS 1 LONG_RANKS 3 ARGS -dm_refine 1 -pc_type truncatedmg -cross_check)
 mortise_scene_test(keystone_iterates SCENE keystone CHECK iterates.py ARGS -pc_type truncatedmg)
