@@ -8,12 +8,7 @@
 
 #include "kernel/element.h"
 
-enum {
-  CUBATURE_MAX_SIZE     = 3 * ELEMENT_MAX_NODES,
-  CUBATURE_MAX_PIECES   = 8,
-  CUBATURE_MAX_GAUSS    = 8,
-  CUBATURE_MAX_SWITCHES = 16
-};
+enum { CUBATURE_MAX_SIZE = 3 * ELEMENT_MAX_NODES, CUBATURE_MAX_PIECES = 8, CUBATURE_MAX_GAUSS = 8 };
 
 /* value = the integrand at xi, with all measures but that of the reference cell.
    [in] xi - [ElementDim]; [out] value - [size] */
@@ -28,7 +23,7 @@ typedef struct {
   PetscInt         size; /* components, up to CUBATURE_MAX_SIZE */
   CubatureFn       integrand;
   CubatureSwitchFn switches;     /* of CubatureSwitches() */
-  PetscInt         num_switches; /* up to CUBATURE_MAX_SWITCHES */
+  PetscInt         num_switches; /* up to 16 */
   void            *ctx;
   const PetscReal *tolerance; /* positive, permitted error of each integral [size] */
   PetscReal        inset;     /* part of a line at each end without points; shorter intervals are roundoff */

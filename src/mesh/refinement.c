@@ -8,7 +8,7 @@
 #include "base/compat.h"
 #include <petscdmplextransform.h>
 
-enum { MAX_CLOSURE = 1 + 6 + 6 * 4, MAX_TABLE_FACETS = 6 }; /* of a hexahedron: itself, facets, edges of facets */
+enum { MAX_CLOSURE = 1 + 6 + 6 * 4 }; /* of a hexahedron: itself, facets, edges of facets */
 
 /* One point of the cones of a kind: number = offset + factor * closure[place]. */
 typedef struct {

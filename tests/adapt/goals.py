@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from judge import Run, near, read_table, require, same
+from judge import Run, read_table, require, same
 
 FORCE = 1836995.08  # independent high-order solution, uncertain by 2e-2
 MISES = 5765160     # at the probe, uncertain by 30: graded quadrilaterals of order 2 with 206,000 unknowns, and extrapolation

@@ -53,7 +53,7 @@ def solve(dim, compliance, free, mu):
     return forces * size / scale, moved * size
 
 
-def condense(dim, stiffness, loads, held, contact):
+def condense(stiffness, loads, held, contact):
     """W and the displacement without contact, in the directions of contact nodes: upwards, then along the floor. [contact] - dofs"""
     left = np.setdiff1d(np.arange(len(loads)), held)
     inverse = np.linalg.inv(stiffness[np.ix_(left, left)])
@@ -79,7 +79,7 @@ def block_scene(run):
     floor = np.flatnonzero(np.isclose(nodes[:, -1], lower[-1]))
     order = [dim - 1, *range(dim - 1)]
     contact = (floor[:, None] * dim + np.array(order)).ravel()
-    return dim, nodes[floor], condense(dim, stiffness, loads, held, contact), float(scene["-floor_friction"])
+    return dim, nodes[floor], condense(stiffness, loads, held, contact), float(scene["-floor_friction"])
 
 
 def judge(run):

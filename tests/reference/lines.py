@@ -12,7 +12,6 @@ from bodies import MANY, gauss, numbers
 from contact import Pair, beside, frame, turning, unit
 
 LINES = {2: np.array([[1, -1], [0, 1]]), 3: np.array([[1, -3, 2], [0, -1, 2], [0, 4, -4]])}  # phi by powers of s
-PLACES = (0.0, 1.0, 0.5)  # of the nodes of a facet
 FLAT, NONE = 1e-11, 1e-8  # differences of unit normals, and shares of curvatures, that are rounding
 
 

@@ -1,7 +1,6 @@
 """tables.py -- what independent.py writes: tables, their origin, and one HDF5 file laid out as the program's own."""
 import csv
 import math
-import pathlib
 
 import numpy as np
 

@@ -28,8 +28,8 @@ POISSON = 0.3
 BALLS = ((1.0, 2000.0), (2.0, 1000.0))  # radius and modulus
 
 
-def polar(radius, sign, half, grade=0.06):
-    """A sector of [0, 1] x [0, 1]. x is along the arc up to the angle 0.6, small below half, y from the arc inward to 0.2 of the radius."""
+def polar(radius, sign, grade):
+    """A sector of [0, 1] x [0, 1]. x is along the arc up to the angle 0.6, y from the arc inward to 0.2 of the radius."""
     angle = f"(0.6*({grade}*x+{1 - grade}*x^3))"
     r = f"({radius}*(1-0.8*({grade}*y+{1 - grade}*y^3)))"
     return f"{r}*sin({angle}), {sign}*({radius}-{r}*cos({angle}))"
@@ -45,7 +45,7 @@ def scene_of(model, ratio, cells, swapped):
         scene.give(model=model)
     grade = min(1.0, ratio * R)
     for name, radius, sign, young, n in (("upper", 1, 1, 2000, cells), ("lower", 2, -1, 1000, cells + 3)):
-        scene.block(name, (n, max(8, n // 2)), (0, 0), (1, 1), young=young, poisson=POISSON, map=polar(radius, sign, grade, grade=grade * 0.5),
+        scene.block(name, (n, max(8, n // 2)), (0, 0), (1, 1), young=young, poisson=POISSON, map=polar(radius, sign, grade * 0.5),
                     bc_displacement="top", bc_displacement_top=f"0,{-approach if sign > 0 else 0}", bc_normal="left")
     scene.joint("joint", "upper:bottom", "lower:bottom", swapped=swapped)
     return scene

@@ -1,7 +1,7 @@
 """A block one facet wide whose partner goes on beyond its edge. The pressure at a right angle has no limit where the block is no softer than its
 partner. Where both are alike it grows by 2^0.226 with each halving of cells (Dundurs and Lee 1972; unit.wedge). On a stiff partner it does not
 grow, and nothing is said. At an obtuse angle it grows on any partner (Williams 1952), and with friction it may."""
-from judge import LONG, near, require
+from judge import LONG, near
 
 OBTUSE = ["-lid_map", "(x+0.5)*(1+0.577*y)-0.5,y"]
 # Modulus of the block (that of the partner is 2000), other options; warnings.

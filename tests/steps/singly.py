@@ -42,7 +42,7 @@ def judge_table(run, steps):
     table = read_table(run.folder / f"{NAME}_steps.csv")
     same("t", table["t"], [step["t"] for step in steps])
     same("status", table["status"], [step["status"] for step in steps])
-    for name, pair in steps[0]["pairs"].items():
+    for name in steps[0]["pairs"]:
         for key in ("normal_force", "area", "max_pressure"):
             same(f"{name}.{key}", table[f"{name}.{key}"], [step["pairs"][name][key] for step in steps])
         same(f"{name}.force_y", table[f"{name}.force_y"], [step["pairs"][name]["force"][1] for step in steps])

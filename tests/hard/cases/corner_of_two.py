@@ -1,7 +1,7 @@
 """A parallelogram with the corner's angle, pressed from its other sides."""
 from math import cos, radians, sin
 
-from judge import near, same
+from judge import same
 from uniform import judge_uniform
 
 

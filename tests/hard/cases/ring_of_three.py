@@ -1,5 +1,5 @@
 """A pressure around three rhombi is the pressure of all their joints; the weakest reason yields."""
-from judge import near, require, same
+from judge import near, same
 
 
 def judge_ring(run, roles):
