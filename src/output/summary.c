@@ -265,7 +265,7 @@ static PetscErrorCode SummaryAddReactions_Private(const SummaryInput *in, cJSON 
   PetscReal     *sums, *next;
 
   PetscFunctionBeginUser;
-  PetscCall(ReactionsCreate(in->scene, in->fields, in->reactions, &sums));
+  PetscCall(ReactionsCreate(in->scene, in->fields, in->reactions, &sums, NULL));
   next = sums;
   for (PetscInt b = 0; b < in->scene->num_bodies; b++) {
     const SceneBody *body = &in->scene->bodies[b];

@@ -6,12 +6,14 @@
    place. */
 #include "base/compat.h"
 #include "contact/pairpoints.h"
+#include "kernel/material.h"
 #include "kernel/vector.h"
 #include "problem/elasticity.h"
 #include "result/barfloors.h"
 #include "result/cellstress.h"
 #include "result/compliance.h"
 #include "result/pairsum.h"
+#include "result/reactions.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -100,13 +102,35 @@ static PetscReal SideValuesGetDifference_Private(PetscInt dim, const SideValues 
   return PetscAbsReal(normal_part) + LARGEST_DUNDURS * VectorNorm(dim, t);
 }
 
+/* Takes a facet that contact ends on. [in] pressure - its mean */
+static void BarFloorsAddEnd_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal pressure,
+                                    PairFloors *floors)
+{
+  const PetscInt dim = level->dim, n = ElementNumNodes(facets->type[f]);
+  PetscReal      X[3 * F], area;
+
+  ContactFacetCoordinates(level, facets, f, X);
+  area = BarFloorsGetArea_Private(level->scene, facets->type[f], X);
+  floors->area += area / 2;
+  for (PetscInt k = 0; k < dim; k++) {
+    PetscReal lower = X[k], upper = X[k];
+
+    for (PetscInt i = 1; i < n; i++) {
+      lower = PetscMin(lower, X[i * dim + k]);
+      upper = PetscMax(upper, X[i * dim + k]);
+    }
+    floors->edge[k] = PetscMax(floors->edge[k], upper - lower);
+    floors->centre[k] += pressure * area * (upper - lower) / 2;
+  }
+}
+
 /* Takes one facet. [in] largest - pressure of the pair; [in,out] floors */
 static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, PetscInt f, const SideValues *values,
                                       PetscReal largest, PairFloors *floors)
 {
-  const PetscInt dim = level->dim, material = level->cell_material[facets->cell[f]];
+  const PetscInt material = level->cell_material[facets->cell[f]];
   const PetscInt n = ElementNumNodes(facets->type[f]), *nodes = &facets->nodes[f * F];
-  PetscReal      X[3 * F], difference                         = 0;
+  PetscReal      difference = 0, pressure = 0;
   PetscBool      peak = PETSC_FALSE, open = PETSC_FALSE, closed = PETSC_FALSE;
 
   for (PetscInt i = 0; i < n; i++) {
@@ -115,14 +139,30 @@ static void BarFloorsAddFacet_Private(const Level *level, const Facets *facets, 
     peak   = (PetscBool)(peak || PetscRealPart(at[0]) >= largest);
     open   = (PetscBool)(open || at[1] == 0);
     closed = (PetscBool)(closed || at[1] != 0);
+    pressure += PetscMax(0, PetscRealPart(at[0])) / n;
     if (at[2] == 0) continue; // others have no pressure to compare
-    difference = PetscMax(difference, SideValuesGetDifference_Private(dim, values, nodes[i], material));
+    difference = PetscMax(difference, SideValuesGetDifference_Private(level->dim, values, nodes[i], material));
   }
   if (peak) floors->pressure = PetscMax(floors->pressure, LOCAL_FACTOR * difference);
-  if (!open || !closed) return;
-  ContactFacetCoordinates(level, facets, f, X);
-  floors->edge = PetscMax(floors->edge, ElementLongestEdge(facets->type[f], level->dim, X));
-  floors->area += BarFloorsGetArea_Private(level->scene, facets->type[f], X) / 2;
+  if (open && closed) BarFloorsAddEnd_Private(level, facets, f, pressure, floors);
+}
+
+/* Sums and maxima of all ranks. Collective. [in] force - of the pair */
+static PetscErrorCode PairFloorsReduce_Private(MPI_Comm comm, PetscReal force, PairFloors *floors)
+{
+  PetscReal largest[4] = {floors->pressure, floors->edge[0], floors->edge[1], floors->edge[2]};
+  PetscReal sums[4]    = {floors->area, floors->centre[0], floors->centre[1], floors->centre[2]};
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 4, MPIU_REAL, MPIU_MAX, comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, comm));
+  floors->pressure = largest[0];
+  floors->area     = sums[0];
+  for (PetscInt k = 0; k < 3; k++) {
+    floors->edge[k]   = largest[1 + k];
+    floors->centre[k] = force > 0 ? sums[1 + k] / force : 0;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFloors *floors)
@@ -131,7 +171,6 @@ static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFlo
   const PairPoints points = fields->vi->pairs[p]->points;
   Vec              nodal, traction, local[3];
   SideValues       values = {.rubs = ScenePairHasFriction(fields->vi->pairs[p]->spec)};
-  PetscReal        largest[2];
   PairSum          sum;
 
   PetscFunctionBeginUser;
@@ -156,64 +195,80 @@ static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFlo
   PetscCall(VecGhostRestoreLocalForm(traction, &local[2]));
   PetscCall(VecDestroy(&traction));
   PetscCall(VecDestroy(&nodal));
-  largest[0] = floors->pressure;
-  largest[1] = floors->edge;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPIU_MAX, level->comm));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &floors->area, 1, MPIU_REAL, MPI_SUM, level->comm));
-  floors->pressure = largest[0];
-  floors->edge     = largest[1];
+  PetscCall(PairFloorsReduce_Private(level->comm, sum.normal_force, floors));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Over the points of the cell that holds a probe. Collective. [in,out] compliance; [out] floor - of stresses;
-   place - of displacements */
-static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *probe, Compliance *compliance,
-                                               PetscReal *floor, PetscReal *place)
+/* Takes the difference of both stresses at a point. [in] error - s* - s, or its negative */
+static void ProbeFloorsTake_Private(const PetscReal error[], ProbeFloors *floors)
 {
+  PetscReal principal[3];
+
+  MaterialPrincipal(error, principal);
+  floors->von_mises = PetscMax(floors->von_mises, LOCAL_FACTOR * MaterialVonMises(error));
+  floors->principal =
+      PetscMax(floors->principal, LOCAL_FACTOR * PetscMax(PetscAbsReal(principal[0]), PetscAbsReal(principal[2])));
+  for (PetscInt k = 0; k < CELL_STRESSES; k++)
+    floors->stress = PetscMax(floors->stress, LOCAL_FACTOR * PetscAbsReal(error[k]));
+}
+
+/* Over the points of a cell. [in] at - place of the probe; u - local */
+static PetscErrorCode ProbeFloorsOfCell_Private(const Level *level, PetscInt c, const PetscReal at[],
+                                                const PetscScalar u[], const NodalStressArrays *recovered,
+                                                Compliance *compliance, ProbeFloors *floors)
+{
+  const ElementType type  = (ElementType)level->cell_type[c];
+  const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], n = ElementNumNodes(type);
+  ElementRule      *rules, *rule;
+  CellStress        cell;
+  PetscReal         error[CELL_STRESSES], det;
+  const PetscReal  *L;
+
+  PetscFunctionBeginUser;
+  PetscCall(ElasticityRulesCreate(level->scene, &rules));
+  PetscCall(PetscNew(&rule));
+  ElementRuleSet(type, 2 * ElementOrder(type), rule);
+  PetscCall(CellStressSet(level->scene, level, c, &rules[type], u, &cell));
+  PetscCall(ComplianceGet(compliance, cell.material, at, &L));
+  for (PetscInt q = 0; q < rule->num; q++) {
+    PetscCall(CellStressAtPoint(level->scene, &cell, rule, q, error, &det, NULL));
+    for (PetscInt i = 0; i < n * CELL_STRESSES; i++)
+      error[i % CELL_STRESSES] -=
+          rule->phi[q * n + i / CELL_STRESSES] *
+          PetscRealPart(NodalStressAt(recovered, nodes[i / CELL_STRESSES], cell.material)[i % CELL_STRESSES]);
+    ProbeFloorsTake_Private(error, floors);
+    floors->displacement = PetscMax(floors->displacement, LOCAL_FACTOR * ComplianceStrain(compliance, L, error));
+  }
+  floors->displacement *= PLACE_FACTOR[ElementOrder(type) - 1] * ElementLongestEdge(type, level->dim, cell.X);
+  PetscCall(PetscFree(rule));
+  PetscCall(PetscFree(rules));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Of the cell that holds a probe. Collective. [in,out] compliance */
+static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *probe, Compliance *compliance,
+                                               ProbeFloors *floors)
+{
+  enum { NUMBERS = sizeof(ProbeFloors) / sizeof(PetscReal) };
+
   Level             *level = fields->vi->level;
   Vec                local;
   const PetscScalar *u;
   NodalStressArrays  recovered;
-  ElementRule       *rules, *rule;
-  CellStress         cell;
   PetscInt           c;
-  const PetscReal   *L;
-  PetscReal          xi[3], stress[CELL_STRESSES], det, both[2] = {0, 0};
+  PetscReal          xi[3];
   PetscBool          found;
 
   PetscFunctionBeginUser;
   PetscCall(LevelLocate(level, probe->body, probe->at, &c, xi, &found));
-  PetscCall(ElasticityRulesCreate(level->scene, &rules));
-  PetscCall(PetscNew(&rule));
   PetscCall(VecGhostGetLocalForm(fields->u, &local));
   PetscCall(VecGetArrayRead(local, &u));
   PetscCall(NodalStressGetArrays(&fields->stress, &recovered));
-  if (c >= 0) {
-    const ElementType type  = (ElementType)level->cell_type[c];
-    const PetscInt   *nodes = &level->cell_nodes[level->cell_start[c]], n = ElementNumNodes(type);
-
-    ElementRuleSet(type, 2 * ElementOrder(type), rule);
-    PetscCall(CellStressSet(level->scene, level, c, &rules[type], u, &cell));
-    PetscCall(ComplianceGet(compliance, cell.material, probe->at, &L));
-    for (PetscInt q = 0; q < rule->num; q++) {
-      PetscCall(CellStressAtPoint(level->scene, &cell, rule, q, stress, &det, NULL));
-      for (PetscInt k = 0; k < CELL_STRESSES; k++) {
-        for (PetscInt i = 0; i < n; i++)
-          stress[k] -= rule->phi[q * n + i] * PetscRealPart(NodalStressAt(&recovered, nodes[i], cell.material)[k]);
-        both[0] = PetscMax(both[0], LOCAL_FACTOR * PetscAbsReal(stress[k]));
-      }
-      both[1] = PetscMax(both[1], LOCAL_FACTOR * ComplianceStrain(compliance, L, stress));
-    }
-    both[1] *= PLACE_FACTOR[ElementOrder(type) - 1] * ElementLongestEdge(type, level->dim, cell.X);
-  }
+  if (c >= 0) PetscCall(ProbeFloorsOfCell_Private(level, c, probe->at, u, &recovered, compliance, floors));
   PetscCall(NodalStressRestoreArrays(&fields->stress, &recovered));
   PetscCall(VecRestoreArrayRead(local, &u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
-  PetscCall(PetscFree(rule));
-  PetscCall(PetscFree(rules));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, both, 2, MPIU_REAL, MPIU_MAX, level->comm));
-  *floor = both[0];
-  *place = both[1];
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, floors, NUMBERS, MPIU_REAL, MPIU_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -254,35 +309,59 @@ static PetscErrorCode BarFloorsGetRings_Private(const Level *level, const PetscR
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
+/* Of bodies and of their sides. Collective. [out] body - [num_bodies]; side - [boundaries of all bodies] */
+static PetscErrorCode BarFloorsOfBodies_Private(Fields fields, Vec reactions, PetscReal body[], SideFloors side[])
+{
+  const Scene    scene = fields->vi->scene;
+  const PetscInt dim   = scene->dim;
+  PetscInt       next  = 0;
+  PetscReal     *ring, *sums, *rests, potential;
+  Estimate       estimate;
+
+  PetscFunctionBeginUser;
+  PetscCall(EstimateGet(fields, &estimate));
+  PetscCall(FieldsEnergy(fields, body, &potential));
+  PetscCall(PetscCalloc1(scene->num_bodies, &ring));
+  if (scene->model == MODEL_AXISYMMETRIC)
+    PetscCall(BarFloorsGetRings_Private(fields->vi->level, estimate->volume, ring));
+  PetscCall(ReactionsCreate(scene, fields, reactions, &sums, &rests));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    const PetscReal norm = 2 * body[b], relative = BarFloorsGetRelative_Private(estimate->body[b], norm);
+
+    body[b] = BODY_FACTOR * relative;
+    for (PetscInt i = 0; i < scene->bodies[b].num_boundaries; i++, next++) {
+      side[next].relative = WHOLE_FACTOR * relative;
+      for (PetscInt k = 0; k < dim; k++) side[next].least[k] = WHOLE_FACTOR * rests[next * dim + k];
+      side[next].least[0] = PetscMax(side[next].least[0], WHOLE_FACTOR * relative * PetscSqrtReal(norm) * ring[b]);
+    }
+  }
+  PetscCall(PetscFree(rests));
+  PetscCall(PetscFree(sums));
+  PetscCall(PetscFree(ring));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BarFloorsCreate(Fields fields, Vec reactions, BarFloors *floors)
 {
   const Scene scene = fields->vi->scene;
-  PetscReal   potential, relative;
+  PetscInt    sides = 0;
   Compliance  compliance;
   Estimate    estimate;
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGet(fields, &estimate));
-  PetscCall(PetscCalloc6(scene->num_bodies, &floors->body, scene->num_bodies, &floors->side, scene->num_bodies,
-                         &floors->ring, scene->num_pairs, &floors->pair, scene->num_probes, &floors->stress,
-                         scene->num_probes, &floors->place));
+  for (PetscInt b = 0; b < scene->num_bodies; b++) sides += scene->bodies[b].num_boundaries;
+  PetscCall(PetscCalloc4(scene->num_bodies, &floors->body, sides, &floors->side, scene->num_pairs, &floors->pair,
+                         scene->num_probes, &floors->probe));
   floors->whole = WHOLE_FACTOR * BarFloorsGetRelative_Private(estimate->squared, estimate->norm);
-  PetscCall(FieldsEnergy(fields, floors->body, &potential));
-  if (scene->model == MODEL_AXISYMMETRIC)
-    PetscCall(BarFloorsGetRings_Private(fields->vi->level, estimate->volume, floors->ring));
-  for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    relative = BarFloorsGetRelative_Private(estimate->body[b], 2 * floors->body[b]);
-    floors->ring[b] *= WHOLE_FACTOR * relative * PetscSqrtReal(2 * floors->body[b]);
-    floors->body[b] = BODY_FACTOR * relative;
-    floors->side[b] = WHOLE_FACTOR * relative;
-  }
+  PetscCall(BarFloorsOfBodies_Private(fields, reactions, floors->body, floors->side));
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     PetscCall(BarFloorsOfPair_Private(fields, p, &floors->pair[p]));
     PetscCall(FrictionFloorsCompute(fields, p, BODY_FACTOR / WHOLE_FACTOR * floors->whole, &floors->pair[p].friction));
   }
   PetscCall(ComplianceCreate(scene, &compliance));
   for (PetscInt i = 0; i < scene->num_probes; i++)
-    PetscCall(BarFloorsOfProbe_Private(fields, &scene->probes[i], &compliance, &floors->stress[i], &floors->place[i]));
+    PetscCall(BarFloorsOfProbe_Private(fields, &scene->probes[i], &compliance, &floors->probe[i]));
   PetscCall(ComplianceDestroy(&compliance));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -290,6 +369,6 @@ PetscErrorCode BarFloorsCreate(Fields fields, BarFloors *floors)
 PetscErrorCode BarFloorsDestroy(BarFloors *floors)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree6(floors->body, floors->side, floors->ring, floors->pair, floors->stress, floors->place));
+  PetscCall(PetscFree4(floors->body, floors->side, floors->pair, floors->probe));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

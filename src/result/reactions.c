@@ -16,6 +16,7 @@ typedef struct {
   PetscInt  *start;    /* index of each body's first boundary [num_bodies + 1] */
   PetscInt  *first;    /* index of each shared node's first part [num_shared + 1] */
   PetscReal *expected; /* int phi_a s* n [first[num_shared]][dim] */
+  PetscReal *rests;    /* what of the force they are not [first[num_shared]][dim] */
 } Reactions;
 
 /* Adds int phi_a s* n over a facet. [in,out] sums - at local nodes [num_nodes][dim] */
@@ -99,7 +100,7 @@ static PetscErrorCode ReactionsExpectAll_Private(Reactions *reactions)
     num += support->shared[s].num;
   }
   reactions->first[support->num_shared] = num;
-  PetscCall(PetscCalloc1(num * level->dim + 1, &reactions->expected));
+  PetscCall(PetscCalloc2(num * level->dim, &reactions->expected, num * level->dim, &reactions->rests));
   PetscCall(PetscCalloc1(reactions->start[scene->num_bodies] + 1, &needed));
   for (PetscInt s = 0; s < support->num_shared; s++) {
     const SharedNode *shared = &support->shared[s];
@@ -118,24 +119,28 @@ static PetscErrorCode ReactionsExpectAll_Private(Reactions *reactions)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Splits the force of a shared node. [in,out] sums - of the body's boundaries [num_boundaries][dim] */
+/* Splits the force of a shared node. [in,out] sums, rests - of the body's boundaries [num_boundaries][dim] */
 static void ReactionsAddShared_Private(const Reactions *reactions, PetscInt s, const PetscReal force[],
-                                       PetscReal sums[])
+                                       PetscReal sums[], PetscReal rests[])
 {
   const Support    *support = &reactions->fields->vi->support;
   const SharedNode *shared  = &support->shared[s];
   PetscReal        *parts   = &reactions->expected[reactions->first[s] * support->dim];
+  PetscReal        *left    = &reactions->rests[reactions->first[s] * support->dim];
 
-  SupportSplitForce(support, shared, force, parts);
+  SupportSplitForce(support, shared, force, parts, left);
   for (PetscInt i = 0; i < shared->num; i++) {
     if (shared->side[i].boundary < 0) continue;
-    for (PetscInt k = 0; k < support->dim; k++)
+    for (PetscInt k = 0; k < support->dim; k++) {
       sums[shared->side[i].boundary * support->dim + k] += parts[i * support->dim + k];
+      if (shared->ambiguous)
+        rests[shared->side[i].boundary * support->dim + k] += PetscAbsReal(left[i * support->dim + k]);
+    }
   }
 }
 
-/* Sums of this rank. */
-static PetscErrorCode ReactionsSum_Private(const Reactions *reactions, Vec nodal, PetscReal sums[])
+/* Sums of this rank. [in,out] sums, rests - of all bodies' boundaries [dim] */
+static PetscErrorCode ReactionsSum_Private(const Reactions *reactions, Vec nodal, PetscReal sums[], PetscReal rests[])
 {
   const Level     *level   = reactions->fields->vi->level;
   const Support   *support = &reactions->fields->vi->support;
@@ -146,24 +151,25 @@ static PetscErrorCode ReactionsSum_Private(const Reactions *reactions, Vec nodal
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(nodal, &values));
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    PetscReal *of_body = &sums[reactions->start[level->node_body[a]] * dim];
+    const PetscInt first = reactions->start[level->node_body[a]] * dim;
 
     while (s < support->num_shared && support->shared[s].node < a) s++;
     if (support->side[a] < 0) continue;
     if (s < support->num_shared && support->shared[s].node == a) {
-      ReactionsAddShared_Private(reactions, s, &values[a * dim], of_body);
+      ReactionsAddShared_Private(reactions, s, &values[a * dim], &sums[first], &rests[first]);
       continue;
     }
-    for (PetscInt k = 0; k < dim; k++) of_body[support->side[a] * dim + k] += values[a * dim + k];
+    for (PetscInt k = 0; k < dim; k++) sums[first + support->side[a] * dim + k] += values[a * dim + k];
   }
   PetscCall(VecRestoreArrayRead(nodal, &values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ReactionsCreate(Scene scene, Fields fields, Vec nodal, PetscReal **sums)
+PetscErrorCode ReactionsCreate(Scene scene, Fields fields, Vec nodal, PetscReal **sums, PetscReal **rests)
 {
-  Reactions reactions = {.fields = fields};
-  PetscInt  num       = 0;
+  Reactions  reactions = {.fields = fields};
+  PetscInt   num       = 0, size;
+  PetscReal *both;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(scene->num_bodies + 1, &reactions.start));
@@ -172,15 +178,23 @@ PetscErrorCode ReactionsCreate(Scene scene, Fields fields, Vec nodal, PetscReal 
     num += scene->bodies[b].num_boundaries;
   }
   reactions.start[scene->num_bodies] = num;
-  PetscCall(PetscCalloc1(num * scene->dim + 1, sums));
-  for (PetscInt i = 0; i < num * scene->dim && !fields; i++) (*sums)[i] = NAN;
+  size                               = num * scene->dim;
+  PetscCall(PetscCalloc1(2 * size, &both));
+  for (PetscInt i = 0; i < 2 * size && !fields; i++) both[i] = NAN;
   if (fields) {
     PetscCall(ReactionsExpectAll_Private(&reactions));
-    PetscCall(ReactionsSum_Private(&reactions, nodal, *sums));
-    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, *sums, (PetscMPIInt)(num * scene->dim), MPIU_REAL, MPI_SUM, scene->comm));
-    PetscCall(PetscFree(reactions.expected));
+    PetscCall(ReactionsSum_Private(&reactions, nodal, both, &both[size]));
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, both, (PetscMPIInt)(2 * size), MPIU_REAL, MPI_SUM, scene->comm));
+    PetscCall(PetscFree2(reactions.expected, reactions.rests));
     PetscCall(PetscFree(reactions.first));
   }
   PetscCall(PetscFree(reactions.start));
+  PetscCall(PetscMalloc1(size + 1, sums));
+  PetscCall(PetscArraycpy(*sums, both, size));
+  if (rests) {
+    PetscCall(PetscMalloc1(size + 1, rests));
+    PetscCall(PetscArraycpy(*rests, &both[size], size));
+  }
+  PetscCall(PetscFree(both));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

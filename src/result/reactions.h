@@ -9,7 +9,7 @@
    loads among them with zero. Collective.
    [in] fields - NULL where nothing is known: NAN;
    [in] nodal - of CertificateCompute(); [out] sums - [boundaries of all bodies][dim], owned by the caller,
-   PetscFree() */
-PetscErrorCode ReactionsCreate(Scene scene, Fields fields, Vec nodal, PetscReal **sums);
+   PetscFree(); rests - sums of the sizes of what was shared equally, likewise; optional, may be NULL */
+PetscErrorCode ReactionsCreate(Scene scene, Fields fields, Vec nodal, PetscReal **sums, PetscReal **rests);
 
 #endif

@@ -38,7 +38,9 @@ typedef enum {
   FLOOR_BODY,   /* relative, of a body */
   FLOOR_SIDE,   /* the same, of the body's largest reaction */
   FLOOR_PROBE,  /* of a probe's displacement: of its body and of its cell */
-  FLOOR_STRESS, /* of a probe's cell */
+  FLOOR_STRESS, /* of a probe's cell, as the two below */
+  FLOOR_VON_MISES,
+  FLOOR_PRINCIPAL,
   FLOOR_PRESSURE,
   FLOOR_MEAN,
   FLOOR_EDGE,
@@ -46,7 +48,7 @@ typedef enum {
   FLOOR_SLIP, /* the larger one of that of the whole, and of a pair that sticks */
   FLOOR_WORK, /* the same, of work */
   FLOOR_HELD, /* the larger one of that of the whole, and of the force that held nodes lack */
-  FLOOR_PLACE /* relative, of the whole solution, times the extent of contact: a position depends on the origin */
+  FLOOR_PLACE /* the larger one of that of the whole, times half the extent of contact, and of the pair */
 } FloorKind;
 
 static const struct {
@@ -59,8 +61,8 @@ static const struct {
   FRICTION_NUMBERS[] = {{"tangential_force", FLOOR_HELD}, {"max_slip", FLOOR_SLIP}, {"dissipation", FLOOR_WORK}},
   PROBE_NUMBERS[]    = {{"displacement", FLOOR_PROBE},
                         {"stress", FLOOR_STRESS},
-                        {"von_mises", FLOOR_STRESS},
-                        {"principal", FLOOR_STRESS}};
+                        {"von_mises", FLOOR_VON_MISES},
+                        {"principal", FLOOR_PRINCIPAL}};
 
 /* A number of a mesh's row, or the numbers of an array. */
 typedef struct {
@@ -123,32 +125,29 @@ static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscRe
   return bar;
 }
 
-/* The size of a number, or of its vector; for a position, of the extent of contact.
-   [in] values - of the path [num] */
-static PetscReal BarsGetSize_Private(const cJSON *row, const BarPath *path, FloorKind kind, PetscInt num,
-                                     const PetscReal values[])
+/* Half of the box around the contact of a pair. Returns the number of coordinates.
+   [in] path - of a number of the pair; [out] half - [MAX_ITEMS] */
+static PetscInt BarsGetHalfExtent_Private(const cJSON *row, const BarPath *path, PetscReal half[])
 {
-  const BarPath ends[]            = {{path->section, path->owner, "extent", "lower"},
-                                     {path->section, path->owner, "extent", "upper"}};
-  PetscReal     end[2][MAX_ITEMS] = {{0}}, sum = 0;
-  PetscBool     list;
+  const BarPath  lower            = {path->section, path->owner, "extent", "lower"};
+  const BarPath  upper            = {path->section, path->owner, "extent", "upper"};
+  PetscReal      start[MAX_ITEMS] = {0};
+  PetscBool      list;
+  const PetscInt num = BarsRead_Private(row, &upper, half, &list);
 
-  for (int i = 0; i < 2 && kind == FLOOR_PLACE; i++) (void)BarsRead_Private(row, &ends[i], end[i], &list);
-  for (PetscInt i = 0; i < num; i++) sum += PetscSqr(kind == FLOOR_PLACE ? end[1][i] - end[0][i] : values[i]);
-  return PetscSqrtReal(sum);
+  (void)BarsRead_Private(row, &lower, start, &list);
+  for (PetscInt i = 0; i < num; i++) half[i] = (half[i] - start[i]) / 2;
+  return num;
 }
 
 /* Whether facets at a largest pressure are small against the extent of contact on a mesh.
    [in] path - of the pressure; [in] size - of the facets */
 static PetscBool BarsPeakIsFine_Private(const BarHistory *history, const BarPath *path, PetscInt mesh, PetscReal size)
 {
-  const BarPath ends = {path->section, path->owner, "extent", "lower"};
-  PetscReal     values[MAX_ITEMS];
-  PetscBool     list;
-  PetscInt      num = BarsRead_Private(history->mesh[mesh].row, &ends, values, &list);
+  PetscReal      half[MAX_ITEMS];
+  const PetscInt num = BarsGetHalfExtent_Private(history->mesh[mesh].row, path, half);
 
-  return (PetscBool)(size > 0 && size <= CORNER_FACET * BarsGetSize_Private(history->mesh[mesh].row, path, FLOOR_PLACE,
-                                                                            num, values));
+  return (PetscBool)(size > 0 && size <= CORNER_FACET * 2 * VectorNorm(num, half));
 }
 
 /* The increment of a largest pressure for each halving of its facets: a mesh may halve them twice. Facets
@@ -320,25 +319,30 @@ static PetscReal BarsGetBeside_Private(const cJSON *row, const BarPath *path, Fl
 }
 
 /* The floor of a number.
-   [in] owner - index of the body, pair or probe; [in] size - of the number, or of its vector; [in] beside -
-   of BarsGetBeside_Private() */
-static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscReal size,
-                                      PetscReal beside)
+   [in] owner - index of the body, side, pair or probe; i - of the number in its array; size - of the
+   number, or of its vector; of a position, half the extent of contact; beside - of BarsGetBeside_Private() */
+static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscInt i,
+                                      PetscReal size, PetscReal beside)
 {
   const BarFloors *floors = history->floors;
 
   switch (kind) {
   case FLOOR_BODY: return floors->body[owner] * size;
-  case FLOOR_SIDE: return PetscMax(floors->whole * size, floors->side[owner] * beside);
-  case FLOOR_PROBE: return floors->body[history->scene->probes[owner].body] * size + floors->place[owner];
-  case FLOOR_STRESS: return floors->stress[owner];
+  case FLOOR_SIDE:
+    return PetscMax(floors->side[owner].least[i],
+                    PetscMax(floors->whole * size, floors->side[owner].relative * beside));
+  case FLOOR_PROBE: return floors->body[history->scene->probes[owner].body] * size + floors->probe[owner].displacement;
+  case FLOOR_STRESS: return floors->probe[owner].stress;
+  case FLOOR_VON_MISES: return floors->probe[owner].von_mises;
+  case FLOOR_PRINCIPAL: return floors->probe[owner].principal;
   case FLOOR_PRESSURE: return floors->pair[owner].pressure;
-  case FLOOR_EDGE: return floors->pair[owner].edge;
+  case FLOOR_EDGE: return floors->pair[owner].edge[i];
   case FLOOR_AREA: return floors->pair[owner].area;
   case FLOOR_SLIP: return PetscMax(floors->whole * size, floors->pair[owner].friction.slip);
   case FLOOR_HELD: return PetscMax(floors->whole * size, BAR_MARGIN * floors->pair[owner].friction.held);
   case FLOOR_WORK: return PetscMax(floors->whole * size, floors->pair[owner].friction.work);
   case FLOOR_MEAN: return size * (floors->whole + (beside > 0 ? floors->pair[owner].area / beside : 0));
+  case FLOOR_PLACE: return PetscMax(floors->whole * size, floors->pair[owner].centre[i]);
   default: return floors->whole * size;
   }
 }
@@ -350,20 +354,19 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
                                       const char name[], cJSON *to, PetscBool *grows)
 {
   const PetscInt last = history->num - 1;
-  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], size, beside;
+  PetscReal     *Q, values[MAX_ITEMS], bars[MAX_ITEMS], half[MAX_ITEMS], size, beside;
   PetscBool      list, other;
   PetscInt       num;
 
   PetscFunctionBeginUser;
   num = BarsRead_Private(history->mesh[last].row, path, values, &list);
   if (!num) PetscFunctionReturn(PETSC_SUCCESS);
-  size   = BarsGetSize_Private(history->mesh[last].row, path, kind, num, values);
+  size = VectorNorm(num, values);
+  if (kind == FLOOR_PLACE && BarsGetHalfExtent_Private(history->mesh[last].row, path, half) < num) num = 0;
   beside = BarsGetBeside_Private(history->mesh[last].row, path, kind);
   PetscCall(PetscMalloc1(history->num, &Q));
   for (PetscInt i = 0; i < num; i++) {
-    const PetscBool radial = (PetscBool)(kind == FLOOR_SIDE && i == 0 && history->scene->model == MODEL_AXISYMMETRIC);
-    const PetscReal floor =
-        PetscMax(BarsGetFloor_Private(history, kind, owner, size, beside), radial ? history->floors->ring[owner] : 0);
+    const PetscReal floor = BarsGetFloor_Private(history, kind, owner, i, kind == FLOOR_PLACE ? half[i] : size, beside);
 
     for (PetscInt j = 0; j < history->num; j++) {
       PetscReal row[MAX_ITEMS];
@@ -372,7 +375,7 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
     }
     bars[i] = BarsOfSequence_Private(history, Q);
     if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
-    if (kind == FLOOR_STRESS && PetscAbsReal(values[i]) > STRESS_ROUNDING * floor &&
+    if (kind >= FLOOR_STRESS && kind <= FLOOR_PRINCIPAL && PetscAbsReal(values[i]) > STRESS_ROUNDING * floor &&
         BarsStressGrows_Private(history->num, Q))
       bars[i] = (PetscReal)NAN;
     if (grows) *grows = BarsIsUnbounded_Private(history, path, owner, Q);
@@ -449,30 +452,24 @@ static PetscErrorCode BarsAddPairs_Private(const BarHistory *history, cJSON *bar
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The body of a reaction. [in] key - <body>:<side> */
-static PetscInt BarsFindBody_Private(const Scene scene, const char key[])
-{
-  const size_t length = strcspn(key, ":");
-  PetscInt     b      = 0;
-
-  while (b + 1 < scene->num_bodies &&
-         (strlen(scene->bodies[b].name) != length || strncmp(scene->bodies[b].name, key, length)))
-    b++;
-  return b;
-}
-
 static PetscErrorCode BarsAddReactions_Private(const BarHistory *history, cJSON *bars)
 {
-  cJSON       *reactions = cJSON_AddObjectToObject(bars, "reactions");
-  const cJSON *item;
+  cJSON   *reactions = cJSON_AddObjectToObject(bars, "reactions");
+  PetscInt side      = 0;
+  char     key[PETSC_MAX_PATH_LEN];
 
   PetscFunctionBeginUser;
-  cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(history->mesh[history->num - 1].row, "reactions"))
-  {
-    const BarPath path = {"reactions", item->string, NULL, NULL};
+  for (PetscInt b = 0; b < history->scene->num_bodies; b++) {
+    const SceneBody *body = &history->scene->bodies[b];
 
-    PetscCall(BarsAdd_Private(history, &path, FLOOR_SIDE, BarsFindBody_Private(history->scene, item->string),
-                              item->string, reactions, NULL));
+    for (PetscInt i = 0; i < body->num_boundaries; i++, side++) {
+      const BoundaryKind kind = body->boundaries[i].kind;
+      const BarPath      path = {"reactions", key, NULL, NULL};
+
+      if (kind != BOUNDARY_DISPLACEMENT && kind != BOUNDARY_NORMAL) continue;
+      PetscCall(PetscSNPrintf(key, sizeof(key), "%s:%s", body->name, body->boundaries[i].side));
+      PetscCall(BarsAdd_Private(history, &path, FLOOR_SIDE, side, key, reactions, NULL));
+    }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -191,7 +191,7 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
   for (PetscInt k = 0; k < history->num; k++)
     meshes[k] = (BarMesh){.row = history->mesh[k].row, .eta = history->mesh[k].eta, .peak = history->mesh[k].peak};
   sequence.mesh = meshes;
-  PetscCall(BarFloorsCreate(run->fields, &floors));
+  PetscCall(BarFloorsCreate(run->fields, run->reactions, &floors));
   RunForgetBlocks(run);
   PetscCall(BarsCreate(&sequence, &run->bars));
   if (last->goals) PetscCall(GoalsRaiseBars(run->scene, last->row, run->bars, last->goals));

@@ -416,7 +416,8 @@ static void SharedSideProject_Private(const SharedSide *side, PetscInt dim, cons
   }
 }
 
-void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[])
+void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[],
+                       PetscReal rests[])
 {
   const PetscInt   dim = support->dim, count = support->count[shared->node];
   const PetscReal *Q    = &support->directions[shared->node * dim * dim]; // its first ones are a basis
@@ -442,10 +443,8 @@ void SupportSplitForce(const Support *support, const SharedNode *shared, const P
     for (PetscInt d = 0; d < dim; d++) mu[d] += in_frame[k] * Q[k * dim + d];
   }
   for (PetscInt i = 0; i < shared->num; i++) {
-    PetscReal correction[3];
-
-    SharedSideProject_Private(&shared->side[i], dim, mu, correction);
-    for (PetscInt d = 0; d < dim; d++) parts[i * dim + d] += correction[d];
+    SharedSideProject_Private(&shared->side[i], dim, mu, &rests[i * dim]);
+    for (PetscInt d = 0; d < dim; d++) parts[i * dim + d] += rests[i * dim + d];
   }
 }
 

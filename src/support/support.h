@@ -48,7 +48,9 @@ PetscErrorCode SupportUpdate(Level *level, Scene scene, Support *support);
 PetscErrorCode SupportDestroy(Support *support);
 /* Splits the force of a shared node among its boundaries: f = sum_i f_i, f_i in the directions that boundary
    i fixes. The sum of |f_i - expected_i|^2 is the least. Not collective.
-   [in] force - in the span of its directions [dim]; [in,out] parts - expected ones; f_i [shared->num][dim] */
-void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[]);
+   [in] force - in the span of its directions [dim]; [in,out] parts - expected ones; f_i [shared->num][dim];
+   [out] rests - f_i less the expected part in these directions [shared->num][dim] */
+void SupportSplitForce(const Support *support, const SharedNode *shared, const PetscReal force[], PetscReal parts[],
+                       PetscReal rests[]);
 
 #endif

@@ -54,6 +54,10 @@ mortise_scene_test(shells_1 SCENE shells CHECK shells.py RANKS 1 ARGS -order 1 -
 # Reactions of sides that hold a stiff body apart from its load, against meshes of order 2.
 mortise_scene_test(ball_in_socket CHECK sides.py RANKS 1 ARGS -order 1 -adapt 0.15)
 mortise_scene_test(ball_in_socket_kept LONG SCENE ball_in_socket CHECK sides.py RANKS 1 ARGS -order 1 -adapt 0.15 -adapt_cells kept)
+# Numbers that coarse meshes agree on.
+mortise_scene_test(pushed SCENE stack3d CHECK agree.py RANKS 1 3 ARGS -adapt 2e-3 -top_bc_normal right,front,back -top_bc_traction left -top_bc_traction_left 2e4,0,0)
+mortise_scene_test(one_node CHECK agree.py RANKS 1 LONG_RANKS 3 ARGS -adapt 0.2)
+mortise_scene_test(free_corner SCENE two_plates CHECK free_corner.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -upper_young 8e12 -adapt 5e-3)
 mortise_scene_test(half_discs CHECK swapped.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz2d_graded CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz_axisymmetric CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
