@@ -133,7 +133,8 @@ def solve(program, scene, meshes, folder):
 
 
 def numbers(bars, summary, truth, limits, path=()):
-    """Of each bar: its path, the number, the truth, the half widths of both, the size of its vector."""
+    """Of each bar: its path, the number, the truth, the half widths of both, the size of its vector, or of the largest reaction."""
+    largest = max((abs(x) for side in truth.values() for x in side), default=0) if path == ("reactions",) else 0
     for key, bar in bars.items():
         if key == "unbounded":
             continue
@@ -142,7 +143,7 @@ def numbers(bars, summary, truth, limits, path=()):
             yield from numbers(bar, value, true, limit, (*path, key))
             continue
         lists = [x if isinstance(x, list) else [x] for x in (bar, value, true, limit)]
-        size = math.sqrt(sum(x * x for x in lists[2] if x is not None))
+        size = max(largest, math.sqrt(sum(x * x for x in lists[2] if x is not None)))
         for half, q, t, limit in zip(*lists):
             if None not in (half, q, t, limit) and key != "min_gap":  # zero in contact
                 yield (*path, key), q, t, half, limit, size
