@@ -39,7 +39,9 @@ typedef struct {
   FrictionUnit *unit;     /* [num] */
   PetscReal    *y, *r;    /* [n] */
   PetscReal     least;    /* residual so far */
+  PetscReal     fewest;   /* decisions changed by a step so far */
   PetscInt      waiting;  /* steps since the last one that descended */
+  PetscInt      stalled;  /* of these, steps in a row that change no fewer decisions */
   PetscReal     roundoff; /* of a value, in units of the largest */
 } FrictionUnits;
 

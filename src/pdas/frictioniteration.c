@@ -4,7 +4,7 @@
 
 /* Tresca problems after which limits are accelerated: for a small coefficient they settle before. */
 enum { PLAIN_PROBLEMS = 12 };
-/* The iteration goes on from elsewhere after STALLED_STEPS steps in a row that do not descend, or if the
+/* The iteration goes on from elsewhere after STALLED_STEPS steps in a row that stall, or if the
    residual is larger than the forces after FAR_STEPS. Not where a coarser mesh gave the initial states. */
 enum { STALLED_STEPS = 2, FAR_STEPS = 2 };
 /* The method gives up after PATIENCE successive steps that leave more than DESCENT of the residual. After
@@ -15,26 +15,34 @@ static const PetscReal DESCENT = 0.9;
    are found first where steps stall, and where pivoting is not possible. */
 static const PetscReal LARGE_COEFFICIENT = 1;
 
+/* A step that changes less than this part of the fewest decisions so far does not stall. */
+static const PetscReal CHANGES_FACTOR = 0.7;
+
 #define FAILURE_FIXED_POINT                                                                                            \
   "the fixed point iteration over Tresca's friction does not converge, as for a large coefficient"
 
 PetscErrorCode FrictionIterationRestart(FrictionMethod method)
 {
   PetscFunctionBeginUser;
-  method->units.least   = PETSC_MAX_REAL;
-  method->units.waiting = 0;
+  method->units.least = method->units.fewest = PETSC_MAX_REAL;
+  method->units.waiting = method->units.stalled = 0;
   if (method->restart) PetscCall((*method->restart)(method));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Counts steps in a row that do not descend. */
+/* Counts steps in a row that do not descend. They stall if they change no fewer decisions than steps before:
+   with fewer and fewer changes they may converge while the residual still rises. Pivoting is sure, and does
+   not wait for that. */
 static void FrictionIterationCount_Private(FrictionMethod method, const FrictionStep *step)
 {
-  const PetscInt patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
-  FrictionUnits *units    = &method->units;
+  const PetscInt  patience = method->plain || method->pdas->fixed_point ? PATIENCE : SWEPT_PATIENCE;
+  FrictionUnits  *units    = &method->units;
+  const PetscBool fewer    = (PetscBool)(!method->pivot && (PetscReal)step->changed < CHANGES_FACTOR * units->fewest);
 
   units->waiting = step->residual < DESCENT * units->least ? 0 : units->waiting + 1;
+  units->stalled = fewer || !units->waiting ? 0 : units->stalled + 1;
   units->least   = PetscMin(units->least, step->residual);
+  if (step->changed) units->fewest = PetscMin(units->fewest, (PetscReal)step->changed);
   if (!step->done && units->waiting >= patience) method->pdas->failure = FAILURE_FRICTION;
 }
 
@@ -90,7 +98,7 @@ PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec sta
 
     PetscCall(FrictionIterationStep(snes, method, &step));
     if ((moved && !stops) || step.done || pdas->failure) continue;
-    if (method->units.waiting < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size))
+    if (method->units.stalled < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size))
       continue;
     if (stops) break;
     moved = PETSC_TRUE;

@@ -38,6 +38,8 @@ enum { PROXIMAL_MAX_STEPS = 50 };
    for contacts, do not. */
 static const PetscReal SLOW_STEP = 0.1, WEIGHT_REDUCTION = 1e-2;
 enum { SEARCH_STEPS = 3, MAX_REDUCTIONS = 3 };
+/* After these reductions bodies still slide if a step leaves more than this part of the term. */
+static const PetscReal STILL_SLIDES = 0.9;
 
 PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal)
 {
@@ -200,10 +202,36 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Gives up after too many steps, or where friction does not hold bodies: they slide as far as W lets them,
+   and what W takes of the forces hardly falls. [in] part - what W takes; [out] failed */
+static PetscErrorCode ProximalGiveUp_Private(const Proximal *proximal, PetscReal part, SolverReport *report,
+                                             PetscBool *failed)
+{
+  PetscFunctionBeginUser;
+  report->slid = (PetscBool)(proximal->solved.vi->friction && proximal->num_reductions == MAX_REDUCTIONS &&
+                             part > STILL_SLIDES * proximal->last);
+  *failed      = (PetscBool)(report->slid || report->proximal_steps == PROXIMAL_MAX_STEPS);
+  if (!*failed) PetscFunctionReturn(PETSC_SUCCESS);
+  report->converged = PETSC_FALSE;
+  if (report->slid) {
+    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
+                            "the bodies slide on and on, and %.1e of the forces stay without balance: friction may "
+                            "not hold these loads",
+                            (double)part));
+  } else {
+    PetscCall(
+        PetscSNPrintf(report->reason, sizeof(report->reason),
+                      "the proximal point iteration did not converge in %d steps: its term is %.1e of the forces; "
+                      "does contact hold every body?",
+                      PROXIMAL_MAX_STEPS, (double)part));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done)
 {
   PetscReal part = 0, way = 0, left = 0, limit;
-  PetscBool pdas;
+  PetscBool pdas, failed;
   Vec       active;
 
   PetscFunctionBeginUser;
@@ -223,15 +251,8 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
     if (part > proximal->last) PetscCall(VecCopy(proximal->rest, y));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
-  if (report->proximal_steps == PROXIMAL_MAX_STEPS) {
-    report->converged = PETSC_FALSE;
-    PetscCall(
-        PetscSNPrintf(report->reason, sizeof(report->reason),
-                      "the proximal point iteration did not converge in %d steps: its term is %.1e of the forces; "
-                      "does contact hold every body?",
-                      PROXIMAL_MAX_STEPS, (double)part));
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
+  PetscCall(ProximalGiveUp_Private(proximal, part, report, &failed));
+  if (failed) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
   if (report->proximal_steps >= SEARCH_STEPS && part > PetscMax(SLOW_STEP * proximal->last, limit) &&
       proximal->num_reductions < MAX_REDUCTIONS)

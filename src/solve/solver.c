@@ -177,7 +177,7 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   }
   PetscCall(SolverContextReturn(&context, (PetscBool)(choice->again && pdas && report->converged), y));
   PetscCall(MinimumNormApply(solver->vi, solvability, y));
-  if (report->converged && solvability && solvability->driven.num) {
+  if ((report->converged || report->slid) && solvability && solvability->driven.num) {
     report->converged = PETSC_FALSE;
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
                             "friction holds the loads no longer, smaller -load_steps may tell from when on: %s, and "

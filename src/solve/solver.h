@@ -41,6 +41,7 @@ typedef struct {
   PetscReal      predicted_cost; /* predicted cost of a factorization, in the same unit; 0 without a prediction */
   PetscBool      gave_way;       /* whether a factorization replaced the iteration */
   PetscInt       proximal_steps; /* proximal point steps (eq. 12.6); 1 without a proximal term */
+  PetscBool      slid;           /* friction did not hold bodies, which slid on and on */
   EnergyBound    bound;
   PetscReal discretisation; /* estimate of |u - u_h|_K by a coarser mesh; NAN unless it stops the solver (eq. 14.7) */
 
