@@ -128,7 +128,7 @@ PetscErrorCode CellGraphAddContact(const Level *level, const Facets *nonmortar, 
     PetscCall(FacetQuery_Private(level, nonmortar, f, reach, tree, &num_hits, &hits));
     for (PetscInt h = 0; h < num_hits; h++)
       PetscCall(CellGraphAddEdge(graph, nonmortar->cell[f], mortar->cell[hits[h]], weight));
-    if (num_hits && graph->contact) graph->contact[nonmortar->cell[f]]++;
+    if (graph->contact) graph->contact[nonmortar->cell[f]]++;
   }
   PetscCall(BoxTreeDestroy(&tree));
   PetscCall(PetscFree(boxes));

@@ -308,7 +308,7 @@ PetscErrorCode MeshShapeDestroy(Mesh mesh);
 /* The loads that a partition balances: the work of unknowns, and that of contact. */
 enum { PARTITION_MAX_WEIGHTS = 2 };
 typedef struct {
-  PetscInt   num, num_parts; /* 1, unless enough facets may touch */
+  PetscInt   num, num_parts; /* 1, unless nonmortar sides have enough facets */
   PetscReal  bricks;         /* mean number of bricks of a cell */
   PetscInt  *load;           /* of every cell, nodes in twelfths [num_cells][num] */
   PetscReal *target;         /* share of each part in the sum [num_parts][num] */
@@ -319,7 +319,7 @@ typedef struct {
   PetscInt        num, max, num_neighbours;
   PetscInt       *end;     /* [max][2] */
   PetscInt       *weight;  /* [max] */
-  PetscInt       *contact; /* facets that may touch, by cell, or NULL; the caller's */
+  PetscInt       *contact; /* facets of nonmortar sides, by cell, or NULL; the caller's */
   const PetscInt *bricks;  /* of each cell, NULL: one; the caller's */
 } CellGraph;
 

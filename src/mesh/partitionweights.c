@@ -1,12 +1,13 @@
 /* partitionweights.c -- weights of a partition: each rank gets about equal numbers of unknowns and of facets
-   in contact. METIS and PETSc partition by given weights; these are computed from mesh and pairs.
+   of nonmortar sides. METIS and PETSc partition by given weights; these are computed from mesh and pairs.
+   Facets beyond the reach count as well: to find their shapes and that they have no partner is as much work.
 
    Unknowns belong to nodes, and nodes between the parts of two ranks go to one of them. The parts themselves
    are made of cells of the coarsest mesh, so a rank with nodes between parts gets fewer cells. */
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-enum { MIN_FACETS_A_PART = 3 }; /* that may touch: with fewer, contact is not balanced */
+enum { MIN_FACETS_A_PART = 3 }; /* of nonmortar sides: with fewer, contact is not balanced */
 
 /* This part of the work is proportional to nodes (the solver), the rest to cells (mesh, assembly). */
 static const PetscReal BY_NODES = 2.0 / 3;
@@ -32,11 +33,11 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Cel
                                       PartitionWeights *shares)
 {
   const PetscInt *contact = graph->contact, *bricks = graph->bricks;
-  PetscInt        touching = 0, all = 0;
+  PetscInt        facets = 0, all = 0;
 
   PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < level->num_cells; c++) touching += contact[c];
-  shares->num       = touching >= MIN_FACETS_A_PART * num_parts ? PARTITION_MAX_WEIGHTS : 1;
+  for (PetscInt c = 0; c < level->num_cells; c++) facets += contact[c];
+  shares->num       = facets >= MIN_FACETS_A_PART * num_parts ? PARTITION_MAX_WEIGHTS : 1;
   shares->num_parts = num_parts;
   for (PetscInt c = 0; c < level->num_cells; c++) all += bricks ? bricks[c] : 1;
   shares->bricks = (PetscReal)all / (PetscReal)PetscMax(level->num_cells, 1);

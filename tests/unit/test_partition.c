@@ -156,8 +156,9 @@ static void TestTiny(void)
   TestSceneFree(&t);
 }
 
-/* Each of two parts of cubes on cubes gets half of the facets that may touch: by edges alone it would be none or all. */
-static void TestShared(void)
+/* Each of two parts of cubes on cubes gets half of the nonmortar facets: by edges alone it would be none or all.
+   So it is if the lower block ends before the upper one, and facets have no partner there. */
+static void TestShared(PetscReal end)
 {
   TestScene t;
   Mesh      mesh;
@@ -167,7 +168,7 @@ static void TestShared(void)
   SolidSceneInit(&t);
   t.scene.comm = PETSC_COMM_SELF;
   SolidSceneAddBox(&t, "upper", (PetscInt[]){5, 5, 5}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1});
-  SolidSceneAddBox(&t, "lower", (PetscInt[]){4, 4, 4}, (PetscReal[]){0, 0, -1}, (PetscReal[]){1, 1, 0});
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){4, 4, 4}, (PetscReal[]){0, 0, -1}, (PetscReal[]){end, end, 0});
   TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
   mesh = TestSceneMesh(&t);
   CHECK(!PartitionCompute(&t.scene, MeshFinest(mesh), 0, 5, NULL, 2, part));
@@ -316,7 +317,8 @@ int main(int argc, char **argv)
   CHECK(!UserErrorInitialize());
   for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
   TestSolidContactEdges();
-  TestShared();
+  TestShared(1);
+  TestShared(0.3);
   TestNodes(2, PETSC_FALSE);
   TestNodes(1, PETSC_TRUE);
   TestBetween(2);
