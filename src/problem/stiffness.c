@@ -11,6 +11,7 @@ typedef struct {
   SymmetricBlocks own;
   PetscInt    *start, *column; /* blocks among ghosts, by rows [num+1], [start[num]]; NULL on one rank, as all below */
   PetscScalar *value;          /* [start[num]][bs][bs] */
+  BlockRows    border;         /* rows that have such blocks */
   PetscInt     num_ghosts;
   PetscInt    *ghost;  /* global numbers of unknowns of other ranks, ascending [num_ghosts] */
   Vec          ghosts; /* their values */
@@ -35,8 +36,9 @@ static void StiffnessAddOthers_Private(const Stiffness *s, const BlockRows *rows
 {
   const PetscInt bs = s->bs;
 
-  for (PetscInt r = 0; r < (rows ? rows->num : s->own.num); r++) {
-    const PetscInt     i = rows ? rows->row[r] : r;
+  if (!rows) rows = &s->border;
+  for (PetscInt r = 0; r < rows->num; r++) {
+    const PetscInt     i = rows->row[r];
     const PetscScalar *v = &s->value[(size_t)s->start[i] * (size_t)(bs * bs)];
 
     for (PetscInt j = s->start[i]; j < s->start[i + 1]; j++, v += bs * bs) {
@@ -282,6 +284,7 @@ static PetscErrorCode MatDestroy_Stiffness(Mat K)
   PetscCall(PetscFree(s->start));
   PetscCall(PetscFree(s->column));
   PetscCall(PetscFree(s->value));
+  PetscCall(PetscFree(s->border.row));
   PetscCall(PetscFree(s->ghost));
   PetscCall(VecDestroy(&s->ghosts));
   PetscCall(VecScatterDestroy(&s->scatter));
@@ -347,6 +350,9 @@ static PetscErrorCode StiffnessSetGhosts_Private(MPI_Comm comm, GhostBlocks *oth
   s->start  = others->start;
   s->column = others->column;
   s->value  = others->value;
+  PetscCall(PetscMalloc1(s->own.num, &s->border.row));
+  for (PetscInt i = 0; i < s->own.num; i++)
+    if (s->start[i] < s->start[i + 1]) s->border.row[s->border.num++] = i;
   PetscCall(VecCreateMPIWithArray(comm, s->bs, n, PETSC_DETERMINE, NULL, &x));
   PetscCall(ISCreateBlock(PETSC_COMM_SELF, s->bs, others->num, others->node, PETSC_COPY_VALUES, &from));
   s->num_ghosts = s->bs * others->num;
