@@ -125,14 +125,34 @@ static PetscErrorCode TruncationUpdateAddChanged_Private(Mat X, PetscReal factor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The rows of this rank that are not zero. Collective. */
+static PetscErrorCode TruncationUpdateListRows_Private(Mat X, IS *rows)
+{
+  PetscInt begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatFindNonzeroRows(X, rows));
+  if (*rows) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatGetOwnershipRange(X, &begin, &end)); // all rows
+  PetscCall(ISCreateStride(PetscObjectComm((PetscObject)X), end - begin, begin, 1, rows));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Adds M X M of a matrix with few entries. */
 static PetscErrorCode TruncationUpdateAddAll_Private(Mat X, Vec is, Entries *entries)
 {
-  States states;
+  States          states;
+  IS              rows;
+  PetscInt        listed;
+  const PetscInt *list;
 
   PetscFunctionBeginUser;
   PetscCall(TruncationUpdateBeginStates_Private(X, is, is, &states));
-  for (PetscInt row = states.begin; row < states.end; row++) {
+  PetscCall(TruncationUpdateListRows_Private(X, &rows));
+  PetscCall(ISGetLocalSize(rows, &listed));
+  PetscCall(ISGetIndices(rows, &list));
+  for (PetscInt i = 0; i < listed; i++) {
+    const PetscInt     row = list[i];
     PetscInt           num;
     PetscBool          free;
     const PetscInt    *columns;
@@ -146,6 +166,8 @@ static PetscErrorCode TruncationUpdateAddAll_Private(Mat X, Vec is, Entries *ent
     }
     PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
   }
+  PetscCall(ISRestoreIndices(rows, &list));
+  PetscCall(ISDestroy(&rows));
   PetscCall(TruncationUpdateEndStates_Private(is, is, &states));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -190,22 +212,11 @@ PetscErrorCode TruncationUpdateCreate(const Operator *op, Mat C, Mat dC, Vec was
 
 PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
 {
-  PetscInt begin, end, num = 0, *rows;
-  IS       is;
-  Mat      small, few;
+  IS  is;
+  Mat small, few;
 
   PetscFunctionBeginUser; /* most rows are empty: only the others, which are the columns as well */
-  PetscCall(MatGetOwnershipRange(update, &begin, &end));
-  PetscCall(PetscMalloc1(end - begin, &rows));
-  for (PetscInt row = begin; row < end; row++) {
-    PetscInt n;
-
-    PetscCall(MatGetRow(update, row, &n, NULL, NULL));
-    if (n) rows[num++] = row;
-    PetscCall(MatRestoreRow(update, row, &n, NULL, NULL));
-  }
-  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)update), num, rows, PETSC_COPY_VALUES, &is));
-  PetscCall(PetscFree(rows));
+  PetscCall(TruncationUpdateListRows_Private(update, &is));
   PetscCall(MatCreateSubMatrix(update, is, is, MAT_INITIAL_MATRIX, &small));
   PetscCall(MatCreateSubMatrix(P, is, NULL, MAT_INITIAL_MATRIX, &few));
   PetscCall(GalerkinProduct(small, few, product));
