@@ -17,19 +17,23 @@ enum {
 static const char NAME[] = "redundant factorization";
 
 typedef struct {
-  PetscBool    gathered;        /* whether `whole` is newer than its factors */
-  Mat          whole;           /* NULL on ranks that do not solve */
-  PC           pc;              /* of it */
-  Vec          b, x;            /* whole */
-  MPI_Comm     group, solvers;  /* solvers: MPI_COMM_NULL on ranks that do not solve */
-  PetscMPIInt *counts, *begins; /* rows of the ranks of this group, on its first [ranks of the group] */
-  PetscMPIInt *blocks, *firsts; /* rows of the groups, on those that solve [groups] */
+  PetscBool        gathered; /* whether `whole` is newer than its factors */
+  Mat              of;       /* the matrix gathered last, or NULL, and which nonzeros it had */
+  PetscObjectState nonzeros;
+  Mat             *parts, whole;    /* a copy of it on ranks that solve, else NULL; as MatCreateSubMatrices() has it */
+  PC               pc;              /* of it */
+  Vec              b, x;            /* whole */
+  MPI_Comm         group, solvers;  /* solvers: MPI_COMM_NULL on ranks that do not solve */
+  PetscMPIInt     *counts, *begins; /* rows of the ranks of this group, on its first [ranks of the group] */
+  PetscMPIInt     *blocks, *firsts; /* rows of the groups, on those that solve [groups] */
 } RedundantSolve;
 
 static PetscErrorCode RedundantSolveRelease_Private(RedundantSolve *redundant)
 {
   PetscFunctionBeginUser;
-  PetscCall(MatDestroy(&redundant->whole));
+  if (redundant->parts) PetscCall(MatDestroySubMatrices(redundant->whole ? 1 : 0, &redundant->parts));
+  redundant->whole = NULL;
+  PetscCall(MatDestroy(&redundant->of));
   PetscCall(VecDestroy(&redundant->b));
   PetscCall(VecDestroy(&redundant->x));
   if (redundant->group != MPI_COMM_NULL) PetscCallMPI(MPI_Comm_free(&redundant->group));
@@ -71,35 +75,37 @@ static PetscErrorCode RedundantSolveSetGroups_Private(Mat A, RedundantSolve *red
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The whole matrix on ranks that solve. Collective. */
-static PetscErrorCode RedundantSolveSetMatrix_Private(Mat A, RedundantSolve *redundant)
+/* The whole matrix on ranks that solve. Collective. [in] reuse - whether only its numbers are new */
+static PetscErrorCode RedundantSolveSetMatrix_Private(Mat A, MatReuse reuse, RedundantSolve *redundant)
 {
   const PetscInt solves = redundant->solvers != MPI_COMM_NULL;
   PetscInt       num;
-  Mat           *whole;
   IS             all;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetSize(A, &num, NULL));
   PetscCall(ISCreateStride(PETSC_COMM_SELF, solves ? num : 0, 0, 1, &all));
-  PetscCall(MatCreateSubMatrices(A, solves, &all, &all, MAT_INITIAL_MATRIX, &whole));
+  PetscCall(MatCreateSubMatrices(A, solves, &all, &all, reuse, &redundant->parts));
   PetscCall(ISDestroy(&all));
-  if (solves) {
-    redundant->whole = whole[0];
-    PetscCall(PetscObjectReference((PetscObject)whole[0]));
-    PetscCall(MatSetOption(redundant->whole, MAT_SPD, PETSC_TRUE));
-    PetscCall(MatCreateVecs(redundant->whole, &redundant->x, &redundant->b));
+  if (!solves) PetscFunctionReturn(PETSC_SUCCESS);
+  if (reuse == MAT_REUSE_MATRIX) { // PETSc 3.18 does not note that all rows have changed
+    PetscCall(MatAssemblyBegin(redundant->whole, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(redundant->whole, MAT_FINAL_ASSEMBLY));
+    PetscFunctionReturn(PETSC_SUCCESS);
   }
-  PetscCall(MatDestroySubMatrices(solves, &whole));
+  redundant->whole = redundant->parts[0];
+  PetscCall(MatSetOption(redundant->whole, MAT_SPD, PETSC_TRUE));
+  PetscCall(MatCreateVecs(redundant->whole, &redundant->x, &redundant->b));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode RedundantSolveGather(PC pc)
 {
-  RedundantSolve *redundant;
-  const char     *name = NULL;
-  PetscBool       same;
-  Mat             A;
+  RedundantSolve  *redundant;
+  PetscObjectState nonzeros;
+  const char      *name = NULL;
+  PetscBool        same;
+  Mat              A;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectTypeCompare((PetscObject)pc, PCSHELL, &same));
@@ -107,11 +113,19 @@ PetscErrorCode RedundantSolveGather(PC pc)
   if (same) PetscCall(PetscStrcmp(name, NAME, &same));
   if (!same) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PCShellGetContext(pc, &redundant));
-  PetscCall(RedundantSolveRelease_Private(redundant));
   PetscCall(PCGetOperators(pc, NULL, &A));
-  PetscCall(RedundantSolveSetGroups_Private(A, redundant));
-  PetscCall(RedundantSolveSetMatrix_Private(A, redundant));
+  PetscCall(MatGetNonzeroState(A, &nonzeros));
   redundant->gathered = PETSC_TRUE;
+  if (redundant->of == A && redundant->nonzeros == nonzeros) { // factors keep their symbolic part
+    PetscCall(RedundantSolveSetMatrix_Private(A, MAT_REUSE_MATRIX, redundant));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(RedundantSolveRelease_Private(redundant));
+  PetscCall(RedundantSolveSetGroups_Private(A, redundant));
+  PetscCall(RedundantSolveSetMatrix_Private(A, MAT_INITIAL_MATRIX, redundant));
+  PetscCall(PetscObjectReference((PetscObject)A));
+  redundant->of       = A;
+  redundant->nonzeros = nonzeros;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

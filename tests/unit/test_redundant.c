@@ -3,10 +3,22 @@
 #include "multigrid/redundantsolve.h"
 #include "test.h"
 
+/* Analyses of matrices so far on this rank. */
+static int Analyses(void)
+{
+  PetscLogEvent      event;
+  PetscEventPerfInfo info;
+
+  CHECK(!PetscLogEventGetId("MatCholFctrSym", &event));
+  CHECK(!PetscLogEventGetPerfInfo(0, event, &info));
+  return info.count;
+}
+
 /* A chain of springs between walls: row i is 2.5 x_i - x_{i-1} - x_{i+1}. [in] n - rows; empty - whether the second rank has none */
 static void TestChain(PetscInt n, PetscBool empty)
 {
   PetscMPIInt rank, size;
+  const int   before = Analyses();
   PetscInt    begin, end, local = PETSC_DECIDE;
   PetscReal   off;
   Mat         A;
@@ -47,6 +59,7 @@ static void TestChain(PetscInt n, PetscBool empty)
     CHECK(off < 1e-13);
     CHECK(!MatShift(A, 1));
   }
+  CHECK(Analyses() <= before + 1); // its nonzeros stay where they are
   CHECK(!PCDestroy(&pc));
   CHECK(!VecDestroy(&x));
   CHECK(!VecDestroy(&y));
@@ -57,6 +70,7 @@ static void TestChain(PetscInt n, PetscBool empty)
 int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
+  CHECK(!PetscLogDefaultBegin());
   for (int empty = 0; empty < 2; ++empty) {
     TestChain(100, (PetscBool)empty);
     TestChain(4500, (PetscBool)empty);
