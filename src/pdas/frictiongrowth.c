@@ -20,8 +20,8 @@ static PetscErrorCode FrictionGrowthSolve_Private(SNES snes, FrictionMethod meth
 
   PetscFunctionBeginUser;
   for (PetscInt a = 0; a < method->units.num; a++) method->units.unit[a].coefficient = part * law[a].coefficient;
-  method->decided = (PetscBool)!first;
-  pdas->failure   = NULL;
+  method->decided = method->grows = (PetscBool)!first;
+  pdas->failure                   = NULL;
   PetscCall(FrictionIterationNewton(snes, method, start, (PetscBool)!first));
   PetscCall(PetscInfo(snes, "friction, %g of the coefficient: %s in %" PetscInt_FMT " steps\n", (double)part,
                       pdas->converged ? "solved" : "given up", pdas->iterations - begun));
@@ -74,6 +74,7 @@ PetscErrorCode FrictionGrow(SNES snes, FrictionMethod method, PetscReal largest,
   PetscCall((*method->set)(method, start));
   PetscCall(FrictionGrowthRun_Private(snes, method, start, law, kept, 1 / largest, solved));
   for (PetscInt a = 0; a < units->num; a++) units->unit[a].coefficient = law[a].coefficient;
+  method->grows = PETSC_FALSE;
   PetscCall(VecDestroy(&solved));
   PetscCall(PetscFree2(law, kept));
   PetscFunctionReturn(PETSC_SUCCESS);

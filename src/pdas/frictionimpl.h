@@ -164,6 +164,7 @@ struct _n_FrictionMethod {
   FrictionUnits units;   /* all on the first rank, or of each rank its own */
   PetscReal     rtol;    /* residual that may be left, if it is more than that of a solution */
   PetscBool     plain;   /* decisions follow from the last step alone: no sweeps or proximal steps before them */
+  PetscBool     grows;   /* a smaller coefficient was solved: never goes on from elsewhere */
   PetscBool     decided; /* the next step takes the decisions as they are */
   void         *data;
   /* Forgets the steps before; NULL where there is nothing to forget. */
@@ -184,8 +185,8 @@ struct _n_FrictionMethod {
 PetscErrorCode FrictionIterationRestart(FrictionMethod method);
 /* One Newton step, recorded in method->pdas. Collective. */
 PetscErrorCode FrictionIterationStep(SNES snes, FrictionMethod method, FrictionStep *step);
-/* Newton steps until the law holds. Collective. [in] start - initial guess; [in] stops - gives up where steps
-   stall; else the iteration goes on from elsewhere */
+/* Newton steps until the law holds; where they stall the iteration goes on from elsewhere, once. Collective.
+   [in] start - initial guess; [in] stops - gives up where steps stall then */
 PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec start, PetscBool stops);
 /* Newton's method with smaller coefficients that grow. Collective.
    [in] largest - coefficient, above 1; [in] start - initial guess */

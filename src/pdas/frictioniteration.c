@@ -12,7 +12,7 @@ enum { STALLED_STEPS = 2, FAR_STEPS = 2 };
 enum { PATIENCE = 40, SWEPT_PATIENCE = 10 };
 static const PetscReal DESCENT = 0.9;
 /* Above this coefficient tangential forces may be larger than pressures. Solutions with smaller coefficients
-   are found first where steps stall, and where pivoting is not possible. */
+   are found first where steps stall again, and where pivoting is not possible. */
 static const PetscReal LARGE_COEFFICIENT = 1;
 
 /* A step that changes less than this part of the fewest decisions so far does not stall. */
@@ -86,9 +86,9 @@ static PetscErrorCode FrictionIterationMove_Private(SNES snes, FrictionMethod me
 PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec start, PetscBool stops)
 {
   PDAS           *pdas  = method->pdas;
-  const PetscInt  begun = pdas->iterations;
+  PetscInt        begun = pdas->iterations;
   const PetscBool warm  = (PetscBool)(pdas->coarser.slipping + pdas->coarser.sticking > 0);
-  PetscBool       moved = (PetscBool)(method->plain || pdas->fixed_point || warm);
+  PetscBool       moved = (PetscBool)(method->plain || method->grows || pdas->fixed_point || warm);
 
   PetscFunctionBeginUser;
   PetscCall(FrictionIterationRestart(method));
@@ -100,9 +100,10 @@ PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec sta
     if ((moved && !stops) || step.done || pdas->failure) continue;
     if (method->units.stalled < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size))
       continue;
-    if (stops) break;
+    if (moved) break;
     moved = PETSC_TRUE;
     PetscCall(FrictionIterationMove_Private(snes, method, start, step.residual));
+    begun = pdas->iterations;
   }
   if (!pdas->converged && !pdas->failure && pdas->iterations < pdas->max_it) pdas->failure = FAILURE_FRICTION;
   PetscFunctionReturn(PETSC_SUCCESS);
