@@ -2,9 +2,7 @@
 
    With the limits G of the present pressures the energy J(y) = 1/2 y'A y - b'y + sum G |s| is convex. The
    decisions of a step are those of a proximal step y^ (eq. 16.4). At y^ J is smooth in all free unknowns.
-   From there Newton's step d descends until slip reverses. The part alpha minimizes J(y^ + alpha d). A unit
-   whose slip ends at alpha sticks in the next decisions. Therefore the units of a body that friction alone
-   holds cannot alternate between directions of slip for ever [1].
+   From there Newton's step d descends until slip reverses. The part alpha minimizes J(y^ + alpha d) [1].
 
    In space a step is too short where slip grows: the resistance to turning falls with its size, and the
    step has that of its begin. Then alpha is above 1.
@@ -20,11 +18,6 @@
 /* A step is changed if the slope of the energy at its end is above this part of the slope at its begin.
    BISECTIONS: their number for the part. DOUBLINGS: of a step that is too short, at most. */
 static const PetscReal OVERSHOOT = 0.1;
-/* After SLOW_STEPS steps in a row that do not descend, units stick whose slip is below SLIP_ENDS of their way
-   in a shortened step. In space a step passes the end of slip at a distance. Relative to the whole step, all
-   units of a body that slides freely would stick. */
-static const PetscReal SLIP_ENDS = 0.02;
-enum { SLOW_STEPS = 6 };
 enum { BISECTIONS = 40, DOUBLINGS = 6 };
 
 /* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
@@ -90,36 +83,6 @@ static PetscErrorCode FrictionSearchEnergy_Private(const FrictionUnits *units, c
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Allreduce(&own, change, 1, MPIU_REAL, MPI_SUM, units->comm));
   *change += (1 - alpha) * slope[0] + alpha * slope[1];
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Squared slip of a unit at alpha over its squared step; above 1 where it does not slip. */
-static PetscReal FrictionSearchEnd_Private(const FrictionUnits *units, const FrictionUnit *unit, const PetscReal from[],
-                                           PetscReal alpha)
-{
-  PetscReal end = 0, step = 0;
-
-  for (PetscInt i = 0; i < unit->num; i++) {
-    const PetscReal d = units->y[unit->tangent[i]] - from[unit->tangent[i]];
-
-    end += PetscSqr(from[unit->tangent[i]] + alpha * d - unit->origin[i]);
-    step += d * d;
-  }
-  return unit->status == UNIT_SLIP && step > 0 ? end / step : PETSC_MAX_REAL;
-}
-
-/* Marks units whose slip ends at alpha: the nearest one to its end, and all near it. Collective. */
-static PetscErrorCode FrictionSearchMark_Private(FrictionUnits *units, const PetscReal from[], PetscReal alpha)
-{
-  PetscReal least = PETSC_MAX_REAL, limit;
-
-  PetscFunctionBeginUser;
-  for (PetscInt a = 0; a < units->num; a++)
-    least = PetscMin(least, FrictionSearchEnd_Private(units, &units->unit[a], from, alpha));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPIU_REAL, MPI_MIN, units->comm));
-  limit = PetscMax(least, PetscSqr(SLIP_ENDS * alpha));
-  for (PetscInt a = 0; a < units->num && least <= PetscSqr(SLIP_ENDS); a++)
-    units->unit[a].ended = (PetscBool)(FrictionSearchEnd_Private(units, &units->unit[a], from, alpha) <= limit);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -206,6 +169,5 @@ PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[],
   PetscCall(FrictionSearchWork_Private(units, from, to, energy));
   *energy += outer * slope[0] + outer * outer * (slope[1] - slope[0]) / 2;
   PetscCall(PetscFree(to));
-  if (units->waiting >= SLOW_STEPS) PetscCall(FrictionSearchMark_Private(units, from, outer));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
