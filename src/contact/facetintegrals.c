@@ -7,6 +7,7 @@
 #include "kernel/frame.h"
 #include "contact/leverarm.h"
 #include "contact/facetintegrals.h"
+#include "contact/leastgap.h"
 #include "contact/overlap.h"
 #include "contact/smoothgap.h"
 
@@ -164,6 +165,21 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* At an edge the mean gap of a node may be below every gap of the facet, since psi is negative in part; it is
+   raised to the least of them. */
+static PetscErrorCode FacetIntegralRaiseGap_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                    const OverlapPoints *list, FacetIntegral *integral)
+{
+  PetscReal least;
+
+  PetscFunctionBeginUser;
+  PetscCall(LeastGapAtEdge(partner, facet, list, &least));
+  for (PetscInt i = 0; i < integral->n && least > PETSC_MIN_REAL; i++) {
+    if (integral->covered[i] > 0) integral->gap[i] = PetscMax(integral->gap[i], integral->covered[i] * least);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* int phi~ over the whole facet, and its measure. */
 static void FacetIntegralSumFull_Private(const FacetPartner *partner, const ClipFacet *facet, ElementType carrier,
                                          FacetIntegral *integral)
@@ -244,6 +260,7 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   integral->fully_covered = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->partly_covered =
       (PetscBool)(partner->mortar && !integral->fully_covered && integral->cover > NOTHING * integral->measure);
+  if (integral->fully_covered) PetscCall(FacetIntegralRaiseGap_Private(partner, facet, list, integral));
   if (integral->partly_covered && !partner->gap_only)
     PetscCall(FacetIntegralFindEnds_Private(partner, facet, list, integral));
   integral->rows = NULL;

@@ -1,4 +1,4 @@
-"""The mean gap beside a bend within a facet is below all gaps there: the summary has its size and place. A bend between facets has none."""
+"""The mean gap beside a bend of a formula within a facet is below all gaps there: the summary has its size and place. A bend between facets has none."""
 from judge import Run, near, require, same
 
 FACET, SLOPE, BEND = 0.2, 0.5, 1 / 3  # the bend is a third into the facet from 0.4 to 0.6

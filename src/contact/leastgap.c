@@ -1,0 +1,169 @@
+/* leastgap.c -- the least gap of a facet at an edge of its pair.
+
+   At an edge of the mortar side the gap has a bend or a step within a facet of the nonmortar side. At an edge
+   of the nonmortar side in the plane, rays turn, and the gap bends as well. The least gap is at a corner of
+   the pieces that mortar facets cover. On one piece the gap is smooth: it is continued from the points of
+   quadrature. */
+#include "contact/leastgap.h"
+#include "base/compat.h"
+#include "contact/overlap.h"
+#include "kernel/disjointsets.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
+
+/* Mortar facets have an edge between them if their normals differ there by 2 degrees; cosine. */
+static const PetscReal SAME_PIECE = 0.99939082701909576;
+/* A direction of contact that is 15 degrees from its facet is that of a node at an edge: facets of smooth
+   sides meet at less than 30; cosine. */
+static const PetscReal OWN_DIRECTION = 0.96592582628906829;
+
+/* The unit normal of a mortar facet at one of its nodes: that of its curve. [out] n - [dim] */
+static void LeastGapGetNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, PetscInt i, PetscReal n[])
+{
+  const PetscInt first = f * ELEMENT_MAX_FACET_NODES * dim;
+  PetscBool      rises = PETSC_FALSE;
+  PetscReal      x[3], phi[ELEMENT_MAX_NODES];
+
+  for (PetscInt k = 0; mortar->bulges && k < ELEMENT_MAX_FACET_NODES * dim; k++)
+    rises = (PetscBool)(rises || mortar->bulges[first + k] != 0);
+  if (!rises) ElementSurface(mortar->type[f], &mortar->coords[first], ElementNode(mortar->type[f], i), x, phi, n);
+  for (PetscInt k = 0; k < dim && rises; k++) n[k] = mortar->normals[first + i * dim + k];
+  FrameNormalize(dim, n);
+}
+
+/* Whether two mortar facets are neighbours on one smooth piece: they share a node, and have one normal
+   there. */
+static PetscBool LeastGapJoins_Private(const MortarSurface *mortar, PetscInt dim, PetscInt a, PetscInt b)
+{
+  PetscReal n[2][3];
+
+  for (PetscInt i = 0; i < ElementNumNodes(mortar->type[a]); i++) {
+    for (PetscInt j = 0; j < ElementNumNodes(mortar->type[b]); j++) {
+      if (mortar->nodes[a * ELEMENT_MAX_FACET_NODES + i] != mortar->nodes[b * ELEMENT_MAX_FACET_NODES + j]) continue;
+      LeastGapGetNormal_Private(mortar, dim, a, i, n[0]);
+      LeastGapGetNormal_Private(mortar, dim, b, j, n[1]);
+      return (PetscBool)(VectorDot(dim, n[0], n[1]) >= SAME_PIECE);
+    }
+  }
+  return PETSC_FALSE;
+}
+
+/* Whether the mortar facets over a facet are several smooth pieces. */
+static PetscErrorCode LeastGapHasMortarEdge_Private(const FacetPartner *partner, const OverlapPoints *list,
+                                                    PetscBool *edge)
+{
+  PetscInt *facets, *parent, num = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(list->num, &facets, list->num, &parent));
+  for (PetscInt p = 0; p < list->num; p++)
+    if (p == 0 || list->facet[p] != list->facet[p - 1]) facets[num++] = list->facet[p];
+  DisjointSetsInitialize(num, parent);
+  for (PetscInt a = 0; a < num; a++) {
+    for (PetscInt b = 0; b < a; b++) {
+      if (facets[a] == facets[b] || LeastGapJoins_Private(partner->mortar, partner->dim, facets[a], facets[b]))
+        DisjointSetsUnite(parent, a, b);
+    }
+  }
+  *edge = PETSC_FALSE;
+  for (PetscInt a = 0; a < num; a++) *edge = (PetscBool)(*edge || DisjointSetsFind(parent, a) != 0);
+  PetscCall(PetscFree2(facets, parent));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether rays turn on a facet, in the plane, because it ends at an edge. */
+static PetscBool LeastGapHasOwnEdge_Private(PetscInt dim, const ClipFacet *facet)
+{
+  PetscReal x[3], phi[ELEMENT_MAX_NODES], n[3];
+
+  for (PetscInt i = 0; i < ElementNumNodes(facet->type) && dim == 2; i++) {
+    ElementSurface(facet->type, facet->X, ElementNode(facet->type, i), x, phi, n);
+    FrameNormalize(dim, n);
+    if (VectorDot(dim, n, &facet->N[i * dim]) < OWN_DIRECTION) return PETSC_TRUE;
+  }
+  return PETSC_FALSE;
+}
+
+/* The cosine between the ray through a point of a line and the normal of a mortar line. */
+static PetscReal LeastGapCosine_Private(const ClipFacet *facet, const ClipFacet *mortar, const PetscReal xi[])
+{
+  const PetscReal middle = 0.5;
+  PetscReal       phi[ELEMENT_MAX_NODES], x[2], m[2], n[2] = {0, 0};
+
+  ElementShape(facet->type, xi, phi, NULL);
+  for (PetscInt i = 0; i < 2 * ElementNumNodes(facet->type); i++) n[i % 2] += phi[i / 2] * facet->N[i];
+  ElementSurface(mortar->type, mortar->X, &middle, x, phi, m);
+  return VectorDot(2, n, m) / PetscSqrtReal(VectorDot(2, n, n) * VectorDot(2, m, m));
+}
+
+/* The gap of a line at xi: times the cosine it is linear on straight lines, else the polynomial through all
+   points. */
+static PetscReal LeastGapContinueLine_Private(const ClipFacet *facet, const ClipFacet *mortar, PetscInt num,
+                                              const ClipPoint points[], const PetscReal xi[])
+{
+  PetscReal distance = 0;
+
+  for (PetscInt p = 0; p < num; p++) {
+    PetscReal term = points[p].gap * LeastGapCosine_Private(facet, mortar, points[p].xi);
+
+    for (PetscInt q = 0; q < num; q++)
+      if (q != p) term *= (xi[0] - points[q].xi[0]) / (points[p].xi[0] - points[q].xi[0]);
+    distance += term;
+  }
+  return distance / LeastGapCosine_Private(facet, mortar, xi);
+}
+
+/* The gap in space at xi: the linear function fitted to the points. */
+static PetscReal LeastGapContinuePlane_Private(PetscInt num, const ClipPoint points[], const PetscReal xi[])
+{
+  PetscReal weight = 0, gap = 0, at[2] = {0, 0}, A[3] = {0, 0, 0}, b[2] = {0, 0}, det; // A: xx, yy, xy
+
+  for (PetscInt p = 0; p < num; p++) {
+    weight += points[p].weight;
+    gap += points[p].weight * points[p].gap;
+    for (PetscInt k = 0; k < 2; k++) at[k] += points[p].weight * points[p].xi[k];
+  }
+  for (PetscInt k = 0; k < 2; k++) at[k] /= weight;
+  for (PetscInt p = 0; p < num; p++) {
+    const PetscReal w = points[p].weight, d[2] = {points[p].xi[0] - at[0], points[p].xi[1] - at[1]};
+
+    A[0] += w * d[0] * d[0];
+    A[1] += w * d[1] * d[1];
+    A[2] += w * d[0] * d[1];
+    for (PetscInt k = 0; k < 2; k++) b[k] += w * d[k] * points[p].gap;
+  }
+  det = A[0] * A[1] - A[2] * A[2];
+  if (!(det > 0)) return PETSC_MIN_REAL;
+  return gap / weight +
+         ((A[1] * b[0] - A[2] * b[1]) * (xi[0] - at[0]) + (A[0] * b[1] - A[2] * b[0]) * (xi[1] - at[1])) / det;
+}
+
+PetscErrorCode LeastGapAtEdge(const FacetPartner *partner, const ClipFacet *facet, const OverlapPoints *list,
+                              PetscReal *least)
+{
+  PetscBool  edge = LeastGapHasOwnEdge_Private(partner->dim, facet);
+  PetscReal *xi;
+
+  PetscFunctionBeginUser;
+  *least = PETSC_MIN_REAL;
+  if (!partner->mortar || partner->spec->gap) PetscFunctionReturn(PETSC_SUCCESS); // an edge does not bend a given gap
+  if (!edge) PetscCall(LeastGapHasMortarEdge_Private(partner, list, &edge));
+  if (!edge) PetscFunctionReturn(PETSC_SUCCESS);
+  *least = PETSC_MAX_REAL;
+  PetscCall(PetscMalloc1(2 * CLIP_MAX_CORNERS, &xi));
+  for (PetscInt p = 0, end; p < list->num; p = end) {
+    const ClipFacet mortar  = OverlapPointsMortarFacet(partner, list->facet[p]);
+    const PetscInt  corners = ClipCorners(facet, &mortar, xi);
+
+    for (end = p + 1; end < list->num && list->facet[end] == list->facet[p];) end++;
+    for (PetscInt i = 0; i < corners; i++) {
+      const PetscReal gap = partner->dim == 2
+                                ? LeastGapContinueLine_Private(facet, &mortar, end - p, &list->point[p], &xi[2 * i])
+                                : LeastGapContinuePlane_Private(end - p, &list->point[p], &xi[2 * i]);
+
+      *least = PetscMin(*least, gap);
+    }
+  }
+  PetscCall(PetscFree(xi));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
