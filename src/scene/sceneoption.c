@@ -310,7 +310,8 @@ static PetscErrorCode OptionCheckSolid_Private(const Option *option, PetscBool a
   given = ExpressionSize(e);
   PetscCall(ExpressionDestroy(&e));
   if (given == 3) {
-    PetscCall(UserErrorRaise(option->comm, "%s; %s is of a solid", option->scene->unread, option->name));
+    PetscCall(OptionRaise(option, "a datum of 3 components is of a solid, in the plane there are 2; %s",
+                          option->scene->unread));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

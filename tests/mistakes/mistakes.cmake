@@ -174,6 +174,8 @@ mistake(mesh_side           SCENE mesh SAYS botom bottom slope ARGS -block_dm_pl
 mistake(mesh_region         SCENE mesh SAYS -block_mesh_region steel wood ARGS -block_dm_plex_filename ${here}/triangles.msh -block_mesh_region steel)
 mistake(solid_cut           ALONE SAYS -block_dm_plex_filename cut_solid.msh "no cells are found" "is of a solid" ARGS -bodies block -block_young 1
   -block_poisson 0.3 -block_bc_displacement floor -block_bc_displacement_floor 0,0,0 -block_dm_plex_filename ${here}/cut_solid.msh)
+mistake(plane_three         SCENE mesh SAYS "-probe_p_at 0,0,1: a datum of 3 components is of a solid, in the plane there are 2" triangles.msh ARGS
+  -block_dm_plex_filename ${here}/triangles.msh -probes p -probe_p_at 0,0,1)
 mistake(solid_plane         SCENE brick SAYS triangles.msh "dimension 2" "gmsh -3" ARGS -block_dm_plex_filename ${here}/triangles.msh)
 mistake(solid_wedge         SCENE brick SAYS roof.msh "1 wedges" "(0, 0, 1)" tetrahedra ARGS -block_dm_plex_filename ${here}/roof.msh)
 mistake(solid_twisted       SCENE brick SAYS block tangled "(0, 0, 2)" ARGS -block_dm_plex_filename ${here}/twisted.msh)
