@@ -169,7 +169,7 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   PetscReal *bulges = NULL;
 
   PetscFunctionBeginUser;
-  PetscCall(SideShapeCreate(level, mortar, &shape));
+  PetscCall(SideShapeCreate(level, mortar, NULL, &shape));
   PetscCall(SideShapeIsCurved(level, &assembly->nonmortar, &assembly->shape, &curved));
   PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
   if (!curved_m && !pair->spec->gap) PetscCall(PetscFree(assembly->bulges));
@@ -198,7 +198,7 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
   assembly->spec = spec;
   PetscCall(LevelGetFacets(level, scene, spec->nonmortar.body, spec->nonmortar.side, &assembly->nonmortar));
   if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
-  PetscCall(SideShapeCreate(level, &assembly->nonmortar, &assembly->shape));
+  PetscCall(SideShapeCreate(level, &assembly->nonmortar, NULL, &assembly->shape));
   PetscCall(SmoothGapCreate(level, spec, &assembly->nonmortar, &assembly->shape,
                             PairIsPolygonal_Private(level, &spec->nonmortar), &assembly->bulges,
                             &pair->curve_error[0]));

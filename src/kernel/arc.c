@@ -3,9 +3,9 @@
    Let d = x1 - x0, and 2 gamma the angle between the normals at the ends. An arc of a circle rises above its
    chord by d.(n1 - n0) / (4 (1 + cos gamma)), along n0 + n1. On a cylinder d.(n1 - n0) omits the part of d
    along the axis, so that the same holds. Each end has half of the sum: b = d.n1 and a = -d.n0 are equal on
-   circles. Elsewhere their harmonic mean is taken, which vanishes with either of them. It differs from half
-   their sum by a part (b - a)^2 / (b + a)^2. This is of the order of the error of any curve through two
-   points and normals. */
+   circles. Elsewhere half their sum counts, less a part rho^4 with rho = (b - a) / (b + a): nothing is left
+   where one of them vanishes. rho is of the order of the edge, so that the part is beyond the error of any
+   curve through two points and normals. Where a surface is nearly flat along an edge, rho^2 would not be. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
@@ -18,7 +18,7 @@ static const PetscReal SMOOTH_ARC = 1.9318516525781366;
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscReal offset[])
 {
-  PetscReal d[3], n[3], a = 0, b = 0, dd = 0, nn = 0, along = 0, rise;
+  PetscReal d[3], n[3], a = 0, b = 0, dd = 0, nn = 0, along = 0, rho, rise;
 
   for (PetscInt k = 0; k < dim; k++) {
     offset[k] = 0;
@@ -31,7 +31,8 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
   }
   if (a * b <= 0 || PetscMin(PetscAbsReal(a), PetscAbsReal(b)) <= STRAIGHT_ARC * PetscSqrtReal(dd)) return;
   if (nn < PetscSqr(SMOOTH_ARC)) return;
-  rise = 2 * a * b / (a + b) / (2 + PetscSqrtReal(nn));
+  rho  = (b - a) / (b + a);
+  rise = (1 - PetscSqr(PetscSqr(rho))) * (a + b) / 2 / (2 + PetscSqrtReal(nn));
   for (PetscInt k = 0; k < dim; k++) along += n[k] * d[k] / dd;
   for (PetscInt k = 0; k < dim; k++) n[k] -= along * d[k];
   nn = VectorDot(dim, n, n);

@@ -100,7 +100,7 @@ PetscErrorCode ExtractArcSides(Extract *x, Scene scene, PetscInt body, ArcSides 
   *sides = (ArcSides){.any = PETSC_FALSE};
   if (x->alone.order > 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ExtractGetSides_Private(x, scene, body, sides));
-  PetscCall(LevelHasArcs(&x->level, &sides->round, &sides->any));
+  PetscCall(LevelHasArcs(&x->level, sides, &sides->any));
   if (sides->any) PetscCall(LevelKeepUnmapped(&x->level));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -112,7 +112,7 @@ PetscErrorCode ExtractMarkParabolas(Extract *x, Scene scene, PetscInt body)
   PetscFunctionBeginUser;
   if (x->alone.order == 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ExtractGetSides_Private(x, scene, body, &sides));
-  PetscCall(LevelMarkParabolas(&x->level, &sides.round, &x->alone.arcs));
+  PetscCall(LevelMarkParabolas(&x->level, &sides, &x->alone.arcs));
   PetscCall(ArcSidesDestroy(&sides));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

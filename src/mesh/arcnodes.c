@@ -31,15 +31,16 @@ Level LevelBeforeMap(const Level *level)
 
 /* Offsets of all facets, as ArcBulge() has them; returns whether there are any on this rank. [out] bulge -
    [num][F][dim] */
-static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, PetscReal **bulge, PetscBool *any)
+static PetscErrorCode BulgesCreate_Private(Level *level, const ArcSides *sides, PetscReal **bulge, PetscBool *any)
 {
-  const PetscInt dim = level->dim;
+  const Facets  *facets = &sides->round;
+  const PetscInt dim    = level->dim;
   SideShape      shape;
   PetscReal      X[3 * F];
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
-  PetscCall(SideShapeCreate(level, facets, &shape));
+  PetscCall(SideShapeCreate(level, facets, &sides->flat, &shape));
   PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
   for (PetscInt f = 0; f < facets->num; f++) {
     VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
@@ -56,13 +57,13 @@ static PetscErrorCode BulgesCreate_Private(Level *level, const Facets *facets, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any)
+PetscErrorCode LevelHasArcs(Level *level, const ArcSides *sides, PetscBool *any)
 {
   Level      plain = LevelBeforeMap(level);
   PetscReal *bulge;
 
   PetscFunctionBeginUser;
-  PetscCall(BulgesCreate_Private(&plain, facets, &bulge, any));
+  PetscCall(BulgesCreate_Private(&plain, sides, &bulge, any));
   PetscCall(PetscFree(bulge));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -130,7 +131,7 @@ static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
   Vec          local;
 
   PetscFunctionBeginUser;
-  PetscCall(BulgesCreate_Private(arcs->from, &sides->round, &bulge, &any));
+  PetscCall(BulgesCreate_Private(arcs->from, sides, &bulge, &any));
   PetscCall(LevelCreateVec(arcs->to, 2 * arcs->from->dim + 1, &arcs->sums));
   PetscCall(VecGhostGetLocalForm(arcs->sums, &local));
   PetscCall(VecZeroEntries(local));

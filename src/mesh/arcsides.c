@@ -35,8 +35,7 @@ PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Appends facets as those of first order; more is destroyed. */
-static PetscErrorCode FacetsAppend_Private(const Level *level, Facets *more, Facets *facets)
+PetscErrorCode FacetsAppend(Facets *more, Facets *facets)
 {
   Facets both;
 
@@ -45,12 +44,9 @@ static PetscErrorCode FacetsAppend_Private(const Level *level, Facets *more, Fac
   PetscCall(PetscArraycpy(both.type, facets->type, facets->num));
   PetscCall(PetscArraycpy(both.cell, facets->cell, facets->num));
   PetscCall(PetscArraycpy(both.nodes, facets->nodes, facets->num * F));
+  PetscCall(PetscArraycpy(&both.type[facets->num], more->type, more->num));
   PetscCall(PetscArraycpy(&both.cell[facets->num], more->cell, more->num));
   PetscCall(PetscArraycpy(&both.nodes[facets->num * F], more->nodes, more->num * F));
-  for (PetscInt f = 0; f < more->num; f++) {
-    both.type[facets->num + f] = ElementLinear(more->type[f]);
-    FacetTurnOut_Private(level, &both, facets->num + f);
-  }
   PetscCall(FacetsDestroy(facets));
   PetscCall(FacetsDestroy(more));
   *facets = both;
@@ -107,7 +103,9 @@ static PetscErrorCode ArcSidesAddFacets_Private(Level *level, PetscInt body, cha
   PetscFunctionBeginUser;
   if (*side) {
     PetscCall(LevelGetFacets(level, level->scene, body, *side, &more));
-    PetscCall(FacetsAppend_Private(level, &more, facets));
+    for (PetscInt f = 0; f < more.num; f++) more.type[f] = ElementLinear(more.type[f]);
+    FacetsTurnOut(level, &more);
+    PetscCall(FacetsAppend(&more, facets));
   }
   PetscCall(PetscFree(*side));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -159,7 +157,7 @@ PetscErrorCode LevelFindFileArcs(Level *level)
 
     if (!body->curved_file || body->polygonal || body->order == 1) continue;
     PetscCall(ArcSidesAdd_Private(level, b, &sides));
-    PetscCall(LevelMarkParabolas(&plain, &sides.round, &body->arcs));
+    PetscCall(LevelMarkParabolas(&plain, &sides, &body->arcs));
     PetscCall(ArcSidesDestroy(&sides));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -178,7 +176,7 @@ PetscErrorCode LevelFindArcs(Level *level, PetscBool *any)
     body->arcs = PETSC_FALSE;
     if (!body->mesh_file || body->polygonal || body->curved_file) continue;
     PetscCall(ArcSidesAdd_Private(level, b, &sides));
-    PetscCall(LevelHasArcs(level, &sides.round, &body->arcs));
+    PetscCall(LevelHasArcs(level, &sides, &body->arcs));
     PetscCall(ArcSidesDestroy(&sides));
     *any = (PetscBool)(*any || body->arcs);
   }

@@ -339,7 +339,7 @@ static PetscErrorCode OverlapGetRise_Private(Level *level, PetscInt body, const 
   PetscFunctionBeginUser;
   *rise = 0;
   PetscCall(LevelGetBoundary(level, body, &facets));
-  PetscCall(SideShapeCreate(level, &facets, &shape));
+  PetscCall(SideShapeCreate(level, &facets, NULL, &shape));
   for (PetscInt f = 0; f < facets.num; f++) {
     const ElementType linear = ElementLinear(facets.type[f]);
     const PetscInt    n      = ElementNumNodes(linear);

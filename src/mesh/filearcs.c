@@ -94,15 +94,17 @@ PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, co
 
 /* Finds the facets and edges on arcs. Collective.
    [out] on - facets [num]; at_node - not 0 in the middle of such edges [num][F]; any - on any rank */
-static PetscErrorCode FacetsFindArcs_Private(Level *level, const Facets *facets, PetscBool on[], PetscReal at_node[],
+static PetscErrorCode FacetsFindArcs_Private(Level *level, const ArcSides *sides, PetscBool on[], PetscReal at_node[],
                                              PetscBool *any)
 {
-  SideShape shape;
-  PetscBool edge[F];
+  const Facets *facets = &sides->round;
+  SideShape     shape;
+  SideSums      nodes;
+  PetscBool     edge[F];
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
-  PetscCall(SideShapeCreate(level, facets, &shape));
+  PetscCall(SideShapeCreate(level, facets, &sides->flat, &shape));
   for (PetscInt f = 0; f < facets->num; f++) {
     on[f] = FacetIsOnArcs(level, facets, f, &shape, edge);
     *any  = (PetscBool)(*any || on[f]);
@@ -110,13 +112,16 @@ static PetscErrorCode FacetsFindArcs_Private(Level *level, const Facets *facets,
       at_node[f * F + ElementNumNodes(ElementLinear(facets->type[f])) + e] = edge[e] ? 1 : 0;
   }
   PetscCall(SideShapeDestroy(&shape));
-  PetscCall(SideSumAtNodes(level, facets, 1, NULL, at_node));
+  PetscCall(SideSumsCreate(level, facets, &nodes));
+  PetscCall(SideSumAtNodes(&nodes, 1, NULL, at_node));
+  PetscCall(SideSumsDestroy(&nodes));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelMarkParabolas(Level *level, Facets *facets, PetscBool *any)
+PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, PetscBool *any)
 {
+  Facets    *facets = &sides->round;
   PetscInt  *point, edges[ELEMENT_MAX_NODES], facet;
   PetscBool *on;
   PetscReal *at_node;
@@ -124,8 +129,9 @@ PetscErrorCode LevelMarkParabolas(Level *level, Facets *facets, PetscBool *any)
 
   PetscFunctionBeginUser;
   PetscCall(FacetsRaise(level, facets));
+  PetscCall(FacetsRaise(level, &sides->flat));
   PetscCall(PetscCalloc2(facets->num, &on, facets->num * F, &at_node));
-  PetscCall(FacetsFindArcs_Private(level, facets, on, at_node, any));
+  PetscCall(FacetsFindArcs_Private(level, sides, on, at_node, any));
   PetscCall(DMGetLabel(level->dm, PARABOLAS, &label));
   if (!label) PetscCall(DMCreateLabel(level->dm, PARABOLAS));
   PetscCall(DMGetLabel(level->dm, PARABOLAS, &label));

@@ -257,7 +257,7 @@ PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **fla
 PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
 PetscErrorCode LevelFindFileArcs(Level *level);
 /* Whether facets of first order form a curved patch, on any rank. Collective. */
-PetscErrorCode LevelHasArcs(Level *level, const Facets *facets, PetscBool *any);
+PetscErrorCode LevelHasArcs(Level *level, const ArcSides *sides, PetscBool *any);
 /* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
 PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
 PetscErrorCode ArcSidesDestroy(ArcSides *sides);
@@ -274,6 +274,8 @@ PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offs
 /* Allocates facets; collects all facets of first order, with outward normals for any orientation of their
    cells. */
 PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
+/* Appends facets. Not collective. [in,out] more - destroyed; facets - owned by the caller */
+PetscErrorCode FacetsAppend(Facets *more, Facets *facets);
 void           FacetsTurnOut(const Level *level, Facets *facets);
 /* The points of the edges of a facet. Not collective.
    [in] point - of each node; [out] edges - in the order of ElementEdgeNodes() */

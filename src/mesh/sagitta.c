@@ -150,7 +150,7 @@ static PetscErrorCode SagittasAddArcs_Private(Level *level, Facets *facets, Sagi
   PetscReal     *height, X[3 * F];
 
   PetscFunctionBeginUser;
-  PetscCall(SideShapeCreate(level, facets, &shape));
+  PetscCall(SideShapeCreate(level, facets, NULL, &shape));
   PetscCall(PetscMalloc1(facets->num, &height));
   for (PetscInt f = 0; f < facets->num; f++) {
     const ElementType type = facets->type[f];

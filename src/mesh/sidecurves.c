@@ -10,7 +10,6 @@
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "mesh/sidepatch.h"
-#include "mesh/sidesums.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, AHEAD = 0, BEHIND = 1, SIDES = 2 };
 
@@ -30,11 +29,13 @@ typedef struct {
 enum { WAYS = 2 * sizeof(Way) / sizeof(PetscReal) };
 
 typedef struct {
-  Level           *level;
-  const Facets    *facets;
-  const SideShape *shape;
-  const PetscReal *share;
-  PetscReal       *two;     /* length of both parts at a node [num][F] */
+  Level            *level;
+  const Facets     *facets;
+  const SideSums   *nodes;
+  const SidePlanes *planes;
+  const SideShape  *shape;
+  const PetscReal  *share;
+  PetscReal        *two;    /* length of both parts at a node [num][F] */
   Way (*way)[SIDES];        /* of each corner's node [num][F] */
   PetscReal (*next)[SIDES]; /* 1 if the circle of the node at the other end passes through one part more [num][F] */
   PetscBool *mean;          /* whether the node's normal is the mean (4.1b) [num][F] */
@@ -119,6 +120,23 @@ static void CurveSetMirror_Private(const Curve *curve, PetscInt f, PetscInt at, 
   way->same = NormalsDistance_Private(own, way->mirrored) <= PetscMax(SAME_CIRCLE * turn, FLAT_SIDE) ? 1 : 0;
 }
 
+/* The part behind a plane of symmetry is the mirror image of that before it. */
+static void CurveAddImages_Private(const Curve *curve, PetscInt c)
+{
+  const PetscInt on = curve->planes->on[curve->nodes->corner[c]];
+
+  for (PetscInt q = 0; q < curve->planes->num; q++) {
+    for (PetscInt side = 0; side < SIDES && on >> q & 1; side++) {
+      Way *way = curve->way[c];
+
+      if (way[side].length > 0) continue;
+      way[side] = way[1 - side];
+      SidePlanesReflect(curve->planes, 2, q, way[side].mirrored);
+      break;
+    }
+  }
+}
+
 static void CurveSetNext_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side)
 {
   if (CurveIsInner_Private(curve, f * F + to)) curve->next[f * F + at][side] = curve->way[f * F + to][side].same;
@@ -196,20 +214,28 @@ static void CurveSetEnds_Private(const Curve *curve, PetscReal exact[])
   }
 }
 
-PetscErrorCode SideCurvesGetNormals(Level *level, const Facets *facets, const SideShape *shape, const PetscReal share[],
-                                    PetscReal exact[])
+PetscErrorCode SideCurvesGetNormals(Level *level, const SideSums *nodes, const SidePlanes *planes,
+                                    const SideShape *shape, const PetscReal share[], PetscReal exact[])
 {
-  const PetscInt num   = facets->num * F;
-  Curve          curve = {.level = level, .facets = facets, .shape = shape, .share = share};
+  const PetscInt num   = nodes->facets->num * F;
+  Curve          curve = {
+               .level = level, .facets = nodes->facets, .nodes = nodes, .planes = planes, .shape = shape, .share = share};
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc4(num, &curve.two, num, &curve.way, num, &curve.next, num, &curve.mean));
   CurveVisitWays_Private(&curve, CurveSetLength_Private);
-  PetscCall(SideSumAtNodes(level, facets, 1, shape->ridge, curve.two));
+  PetscCall(SideSumAtNodes(nodes, 1, shape->ridge, curve.two));
+  for (PetscInt c = 0; c < num && planes->num; c++) curve.two[c] *= planes->on[nodes->corner[c]] ? 2 : 1;
   CurveVisitWays_Private(&curve, CurveSetMirror_Private);
-  PetscCall(SideSumAtNodes(level, facets, WAYS, shape->ridge, (PetscReal *)curve.way));
+  PetscCall(SideSumAtNodes(nodes, WAYS, shape->ridge, (PetscReal *)curve.way));
+  for (PetscInt c = 0; c < num; c++) CurveAddImages_Private(&curve, c);
   CurveVisitWays_Private(&curve, CurveSetNext_Private);
-  PetscCall(SideSumAtNodes(level, facets, SIDES, shape->ridge, (PetscReal *)curve.next));
+  PetscCall(SideSumAtNodes(nodes, SIDES, shape->ridge, (PetscReal *)curve.next));
+  for (PetscInt c = 0; c < num && planes->num; c++) {
+    PetscReal *next = curve.next[c];
+
+    if (planes->on[nodes->corner[c]]) next[AHEAD] = next[BEHIND] = PetscMax(next[AHEAD], next[BEHIND]);
+  }
   CurveSetInner_Private(&curve, exact);
   CurveSetEnds_Private(&curve, exact);
   PetscCall(PetscFree4(curve.two, curve.way, curve.next, curve.mean));

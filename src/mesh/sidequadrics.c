@@ -11,7 +11,6 @@
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "mesh/sidepatch.h"
-#include "mesh/sidesums.h"
 
 enum {
   F         = ELEMENT_MAX_FACET_NODES,
@@ -156,6 +155,7 @@ static PetscBool QuadricFit_Private(const PetscReal G[GRAM], const PetscReal nor
 typedef struct {
   Level           *level;
   const Facets    *facets;
+  const SideSums  *nodes;
   const SideShape *shape;
   const PetscReal *share;
 } Patch;
@@ -190,7 +190,7 @@ static PetscErrorCode PatchSumPoints_Private(const Patch *patch, PetscReal sums[
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->level, patch->facets, SUMS, patch->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(patch->nodes, SUMS, patch->shape->ridge, sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -233,7 +233,7 @@ static PetscErrorCode PatchSumRings_Private(const Patch *patch, const PetscReal 
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->level, patch->facets, SUMS, patch->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(patch->nodes, SUMS, patch->shape->ridge, sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -310,7 +310,7 @@ static PetscErrorCode PatchConfirm_Private(const Patch *patch, const PetscReal s
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->level, patch->facets, 1, patch->shape->ridge, against));
+  PetscCall(SideSumAtNodes(patch->nodes, 1, patch->shape->ridge, against));
   for (PetscInt c = 0; c < num; c++) {
     if (against[c] > 0) PetscCall(PetscArrayzero(&quadric[c * MONOMIALS], MONOMIALS));
   }
@@ -338,7 +338,7 @@ static PetscErrorCode PatchSpread_Private(const Patch *patch, PetscReal quadric[
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->level, patch->facets, MONOMIALS, patch->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(patch->nodes, MONOMIALS, patch->shape->ridge, sums));
   for (PetscInt c = 0; c < num; c++) {
     PetscReal *own = &quadric[c * MONOMIALS], *sum = &sums[c * MONOMIALS];
 
@@ -370,11 +370,11 @@ static void PatchSetFacets_Private(const Patch *patch, const PetscReal quadric[]
   }
 }
 
-PetscErrorCode SideQuadricsGetNormals(Level *level, const Facets *facets, const SideShape *shape,
+PetscErrorCode SideQuadricsGetNormals(Level *level, const SideSums *nodes, const SideShape *shape,
                                       const PetscReal share[], PetscReal exact[])
 {
-  const Patch    patch = {level, facets, shape, share};
-  const PetscInt num   = facets->num * F;
+  const Patch    patch = {level, nodes->facets, nodes, shape, share};
+  const PetscInt num   = nodes->facets->num * F;
   PetscReal     *ring, *rings, *quadric;
 
   PetscFunctionBeginUser;

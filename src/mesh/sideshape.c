@@ -6,17 +6,15 @@
 #include "kernel/frame.h"
 #include "mesh/arcnormals.h"
 #include "mesh/sidecurves.h"
+#include "mesh/sideends.h"
 #include "mesh/sidehanging.h"
+#include "mesh/sidejets.h"
 #include "mesh/sidepatch.h"
+#include "mesh/sideplanes.h"
 #include "mesh/sidequadrics.h"
 #include "mesh/sidesums.h"
 #include "kernel/vector.h"
 
-/* Share of a full turn that the patch fills: more at an end of a line, less at a corner. A neighbour counts
-   there if its patch fills more by FULLER. */
-static const PetscReal END_TURN = 0.35, FULLER = 0.1;
-/* Angles between 78 and 102 degrees, by their cosine, are those of rectangles that were cut. */
-static const PetscReal RIGHT_ANGLE = 0.2;
 /* Neighbours lie on a line whose second moment across it is below this share. */
 static const PetscReal ON_A_LINE = 1e-4;
 
@@ -27,6 +25,8 @@ typedef struct {
   Level        *level;
   const Facets *facets;
   SideShape    *shape;
+  SideSums      nodes;
+  SidePlanes    planes;
   PetscReal    *weighted; /* normal of each facet alone, with its weight [num][F][dim] */
   PetscReal    *share;    /* of a full turn around the node: of the facet, then of its patch [num][F] */
 } Side;
@@ -88,7 +88,7 @@ static PetscErrorCode SideShapeFindSuspects_Private(const Side *side, PetscReal 
       suspect[f * F + i] = VectorDot(dim, unit, &side->shape->normal[(f * F + i) * dim]) < SURELY_SMOOTH ? 1 : 0;
     }
   }
-  PetscCall(SideSumAtNodes(side->level, side->facets, 1, NULL, suspect));
+  PetscCall(SideSumAtNodes(&side->nodes, 1, NULL, suspect));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -173,7 +173,7 @@ static void SideShapeSetPatch_Private(Side *side, PetscInt f, PetscInt i, PetscI
 static PetscErrorCode SideShapeSplitPatches_Private(Side *side)
 {
   PetscReal *suspect;
-  PetscInt   num;
+  PetscInt   num = 0;
   Corner    *corners;
 
   PetscFunctionBeginUser;
@@ -280,6 +280,26 @@ static PetscBool SideShapeFitCurvature_Private(PetscInt dim, const PetscReal n[]
   return full;
 }
 
+/* Adds the mirror images of what neighbours add, at nodes on planes of symmetry.
+   [in,out] sums - [num][F][2][dim][dim] */
+static void SideShapeAddImages_Private(const Side *side, PetscReal sums[])
+{
+  const PetscInt dim = side->level->dim, size = dim * dim;
+
+  for (PetscInt c = 0; c < side->facets->num * F && side->planes.num; c++) {
+    const PetscInt on = side->planes.on[side->nodes.corner[c]];
+
+    for (PetscInt s = 0; s < 2 * side->planes.num; s++) {
+      PetscReal *A = &sums[(2 * c + s % 2) * size], image[9];
+
+      if (!(on >> s / 2 & 1) || side->shape->ridge[c] != 0) continue;
+      for (PetscInt k = 0; k < size; k++) image[k] = A[k];
+      SidePlanesReflectMatrix(&side->planes, dim, s / 2, image);
+      for (PetscInt k = 0; k < size; k++) A[k] += image[k];
+    }
+  }
+}
+
 /* Curvatures of all corners. Collective. [in] inner - from inner nodes of patches alone; [out] known - 1
    where they are in all directions [num][F], or NULL */
 static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner, PetscReal known[])
@@ -299,7 +319,8 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
       }
     }
   }
-  PetscCall(SideSumAtNodes(side->level, side->facets, 2 * dim * dim, side->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(&side->nodes, 2 * dim * dim, side->shape->ridge, sums));
+  SideShapeAddImages_Private(side, sums);
   for (PetscInt f = 0; f < side->facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       const PetscInt  c    = f * F + i;
@@ -308,114 +329,6 @@ static PetscErrorCode SideShapeSetCurvatures_Private(Side *side, PetscBool inner
 
       if (known) known[c] = full && side->share[c] >= INNER_TURN ? 1 : 0;
     }
-  }
-  PetscCall(PetscFree(sums));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* The normal at corner i extrapolated from its neighbour j: rotated by the curvature, or else reflected in
-   the plane between them. Both are exact on circles and spheres, the first also on cylinders. Returns whether
-   it differs from that at j. */
-static PetscBool SideShapeTurnNormal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
-                                             PetscReal n[])
-{
-  const PetscInt   dim = side->level->dim;
-  const PetscReal *m = &side->shape->normal[(f * F + j) * dim], *S = &side->shape->curvature[(f * F + j) * dim * dim];
-  PetscReal        dx[3] = {0}, t[3] = {0}, square, along;
-
-  for (PetscInt k = 0; k < dim; k++)
-    dx[k] = SideGetPosition(side->level, side->facets, f, i, k) - SideGetPosition(side->level, side->facets, f, j, k);
-  for (PetscInt k = 0; k < dim * dim; k++) t[k / dim] += S[k] * dx[k % dim];
-  square = VectorDot(dim, t, t);
-  along  = VectorDot(dim, m, dx) / VectorDot(dim, dx, dx);
-  for (PetscInt k = 0; k < dim; k++)
-    n[k] = known && square < 1 ? t[k] + PetscSqrtReal(1 - square) * m[k] : m[k] - 2 * along * dx[k];
-  return (PetscBool)(PetscMax(square, PetscSqr(along) * VectorDot(dim, dx, dx)) > FLAT_SIDE * FLAT_SIDE);
-}
-
-/* Whether two nodes of a facet lie on a line of its lattice: a mirror between others is not that of a
-   cylinder. */
-static PetscBool SideShapeOnOneLine_Private(ElementType type, PetscInt i, PetscInt j)
-{
-  const PetscReal *a = ElementNode(type, i), *b = ElementNode(type, j);
-
-  if (ElementDim(type) == 1 || a[0] == b[0] || a[1] == b[1]) return PETSC_TRUE;
-  return (PetscBool)(ElementNumNodes(ElementLinear(type)) == 3 && a[0] + a[1] == b[0] + b[1]);
-}
-
-/* Whether two nodes of a triangle lie along the diagonal of a rectangle that was cut into two: its longest
-   edge, opposite to a right angle. */
-static PetscBool SideShapeOnDiagonal_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j)
-{
-  const ElementType type = side->facets->type[f];
-  const PetscReal  *a = ElementNode(type, i), *b = ElementNode(type, j);
-  PetscReal         square[3] = {0, 0, 0};
-  PetscInt          k, m, n;
-
-  if (ElementNumNodes(ElementLinear(type)) != 3) return PETSC_FALSE;
-  k = a[1] == b[1] ? 2 : a[0] == b[0] ? 1 : 0; // the vertex opposite to the edge along this line
-  m = (k + 1) % 3;
-  n = (k + 2) % 3;
-  for (PetscInt d = 0; d < 3; d++) {
-    const PetscReal x =
-        SideGetPosition(side->level, side->facets, f, m, d) - SideGetPosition(side->level, side->facets, f, k, d);
-    const PetscReal y =
-        SideGetPosition(side->level, side->facets, f, n, d) - SideGetPosition(side->level, side->facets, f, k, d);
-
-    square[k] += PetscSqr(x - y);
-    square[m] += PetscSqr(y);
-    square[n] += PetscSqr(x);
-  }
-  if (square[k] < PetscMax(square[m], square[n])) return PETSC_FALSE;
-  return (PetscBool)(PetscAbsReal(square[m] + square[n] - square[k]) <
-                     2 * RIGHT_ANGLE * PetscSqrtReal(square[m] * square[n]));
-}
-
-/* What neighbours add at the end of a patch: sums of normals that differ, along other lines than diagonals
-   and along these; the number of the former, also of those that do not differ. */
-enum { END_NORMAL, END_DIAGONAL = 3, END_COUNT = 6, END_SUMS };
-
-/* Adds to a corner what a neighbour gives. [in,out] sums - [END_SUMS] */
-static void SideShapeAddEnd_Private(const Side *side, PetscInt f, PetscInt i, PetscInt j, PetscBool known,
-                                    PetscReal sums[])
-{
-  const PetscBool diagonal = (PetscBool)(!known && SideShapeOnDiagonal_Private(side, f, i, j));
-  PetscReal       n[3];
-
-  if (!known && !SideShapeOnOneLine_Private(side->facets->type[f], i, j)) return;
-  if (!diagonal) sums[END_COUNT] += 1;
-  if (!SideShapeTurnNormal_Private(side, f, i, j, known, n)) return;
-  for (PetscInt k = 0; k < side->level->dim; k++) sums[(diagonal ? END_DIAGONAL : END_NORMAL) + k] += n[k];
-}
-
-/* Normals at the ends of patches, where facets are on one side only: extrapolated from neighbours with facets
-   around them, from those across diagonals if there are no others. Collective. [in] least, most - share of
-   those ends; known - of curvatures [num][F] */
-static PetscErrorCode SideShapeSetEnds_Private(Side *side, PetscReal least, PetscReal most, const PetscReal known[])
-{
-  const PetscInt dim = side->level->dim;
-  PetscReal     *sums;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(side->facets->num * F * END_SUMS, &sums));
-  for (PetscInt f = 0; f < side->facets->num; f++) {
-    const PetscInt num = ElementNumNodes(side->facets->type[f]);
-
-    for (PetscInt i = 0; i < num; i++) {
-      const PetscReal share = side->share[f * F + i];
-
-      if (share < least || share >= most) continue;
-      for (PetscInt j = 0; j < num; j++) {
-        if (side->share[f * F + j] < share + FULLER) continue;
-        SideShapeAddEnd_Private(side, f, i, j, (PetscBool)(known[f * F + j] > 0), &sums[(f * F + i) * END_SUMS]);
-      }
-    }
-  }
-  PetscCall(SideSumAtNodes(side->level, side->facets, END_SUMS, side->shape->ridge, sums));
-  for (PetscInt c = 0; c < side->facets->num * F; c++) {
-    PetscReal *n = &sums[c * END_SUMS + (sums[c * END_SUMS + END_COUNT] > 0 ? END_NORMAL : END_DIAGONAL)];
-
-    if (FrameNormalize(dim, n) > 0) PetscCall(PetscArraycpy(&side->shape->normal[c * dim], n, dim));
   }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -480,42 +393,111 @@ static void SideShapeTake_Private(Side *side, const PetscReal exact[])
   }
 }
 
-PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape)
+/* Facets of sides that the scene holds normal. Collective. [out] held - owned by the caller */
+static PetscErrorCode SideShapeGetHeld_Private(Level *level, Facets *held)
+{
+  const Scene scene = level->scene;
+
+  PetscFunctionBeginUser;
+  *held = (Facets){.num = 0};
+  for (PetscInt b = 0; b < scene->num_bodies; b++) {
+    for (PetscInt i = 0; i < scene->bodies[b].num_boundaries; i++) {
+      const SceneBoundary *boundary = &scene->bodies[b].boundaries[i];
+      Facets               more;
+
+      if (boundary->kind != BOUNDARY_NORMAL) continue;
+      PetscCall(LevelGetFacets(level, scene, b, boundary->side, &more));
+      PetscCall(FacetsAppend(&more, held));
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Normals from means over facets: those of quadrics and of curves of higher order, where there are, and
+   extrapolated ones at ends. Collective. [in] mean - [num][F][dim]; [out] known - of curvatures [num][F] */
+static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal mean[], PetscReal known[])
+{
+  const PetscInt dim = side->level->dim, num = side->facets->num * F;
+  SideShape     *shape = side->shape;
+  PetscReal     *exact; // zero where none is known
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscCalloc1(num * dim, &exact));
+  PetscCall(PetscArraycpy(shape->normal, mean, num * dim));
+  if (shape->quadric) {
+    PetscCall(SideQuadricsGetNormals(side->level, &side->nodes, shape, side->share, exact));
+    PetscCall(SideJetsGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, exact));
+  }
+  if (dim == 2) PetscCall(SideCurvesGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, exact));
+  SideShapeTake_Private(side, exact);
+  PetscCall(SideShapeSetCurvatures_Private(side, PETSC_TRUE, known));
+  PetscCall(SideEndsSetNormals(side->level, &side->nodes, side->share, known, shape));
+  SideShapeTake_Private(side, exact);
+  PetscCall(PetscFree(exact));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Finds planes of symmetry, and lets the patch surround the nodes on them: the mean over the facets and their
+   images is tangential. Where two planes meet, or in the plane, one direction is left. Collective.
+   [in] held - or NULL, as of SideShapeCreate(); [in,out] mean - [num][F][dim] */
+static PetscErrorCode SideShapeFindPlanes_Private(Side *side, const Facets *held, PetscReal mean[])
+{
+  const PetscInt dim = side->level->dim;
+  Facets         own = {.num = 0};
+
+  PetscFunctionBeginUser;
+  if (!held) PetscCall(SideShapeGetHeld_Private(side->level, &own));
+  PetscCall(SidePlanesDestroy(&side->planes));
+  PetscCall(SidePlanesCreate(side->level, &side->nodes, held ? held : &own, &side->planes));
+  if (!held) PetscCall(FacetsDestroy(&own));
+  PetscCall(SidePlanesJudge(&side->nodes, dim, side->shape->ridge, mean, side->shape->normal, &side->planes));
+  for (PetscInt f = 0; f < side->facets->num && side->planes.num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
+      const PetscInt c = f * F + i, on = side->planes.on[side->nodes.corner[c]];
+
+      if (!on || side->shape->ridge[c] != 0) continue;
+      side->share[c] = 1;
+      SidePlanesProject(&side->planes, dim, on, &mean[c * dim]);
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets *held, SideShape *shape)
 {
   const PetscInt dim = level->dim, num = facets->num * F;
   Side           side = {.level = level, .facets = facets, .shape = shape};
-  PetscReal     *known, *exact = NULL;
+  PetscReal     *known, *mean;
   PetscBool      turns, file;
 
   PetscFunctionBeginUser;
   *shape = (SideShape){.num = facets->num};
   PetscCall(PetscCalloc3(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge));
-  PetscCall(PetscCalloc3(num * dim, &side.weighted, num, &side.share, num, &known));
+  PetscCall(PetscCalloc4(num * dim, &side.weighted, num, &side.share, num, &known, num * dim, &mean));
+  PetscCall(SideSumsCreate(level, facets, &side.nodes));
   SideShapeSetCorners_Private(&side);
   PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
-  PetscCall(SideSumAtNodes(level, facets, dim, NULL, shape->normal));
+  PetscCall(SideSumAtNodes(&side.nodes, dim, NULL, shape->normal));
   for (PetscInt c = 0; c < num; c++) FrameNormalize(dim, &shape->normal[c * dim]);
   PetscCall(SideShapeSplitPatches_Private(&side));
   PetscCall(SideShapeTurns_Private(&side, &turns));
   if (turns) {
-    PetscCall(SideSumAtNodes(level, facets, 1, shape->ridge, side.share));
+    PetscCall(SideSumAtNodes(&side.nodes, 1, shape->ridge, side.share));
+    PetscCall(PetscArraycpy(mean, shape->normal, num * dim));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
-    if (file || dim == 2) PetscCall(PetscCalloc1(num * dim, &exact));
     if (file) PetscCall(PetscCalloc1(facets->num, &shape->quadric));
-    if (file) PetscCall(SideQuadricsGetNormals(level, facets, shape, side.share, exact));
-    if (dim == 2) PetscCall(SideCurvesGetNormals(level, facets, shape, side.share, exact));
-    SideShapeTake_Private(&side, exact);
-    PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_TRUE, known));
-    PetscCall(SideShapeSetEnds_Private(&side, END_TURN, INNER_TURN, known));
-    PetscCall(SideShapeSetEnds_Private(&side, 0, END_TURN, known));
-    SideShapeTake_Private(&side, exact);
-    PetscCall(PetscFree(exact));
+    PetscCall(SidePlanesCreate(level, &side.nodes, NULL, &side.planes));
+    PetscCall(SideShapeSetNormals_Private(&side, mean, known));
+    if (file || dim == 2) PetscCall(SideShapeFindPlanes_Private(&side, held, mean));
+    if (side.planes.num) PetscCall(SideShapeSetNormals_Private(&side, mean, known));
     PetscCall(ArcNormalsTake(level, facets, shape));
     PetscCall(SideHangingSetShape(level, facets, shape));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
     PetscCall(SideHangingSetShape(level, facets, shape));
   }
-  PetscCall(PetscFree3(side.weighted, side.share, known));
+  PetscCall(SidePlanesDestroy(&side.planes));
+  PetscCall(SideSumsDestroy(&side.nodes));
+  PetscCall(PetscFree4(side.weighted, side.share, known, mean));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -21,8 +21,9 @@ typedef struct {
 } SideShape;
 
 /* Computes normals and curvatures. Collective.
-   [in] facets - of this rank; [out] shape - owned by the caller */
-PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, SideShape *shape);
+   [in] facets - of this rank; [in] held - facets of this rank of sides that are held normal, which may be
+   planes of symmetry; NULL finds those of the scene; [out] shape - owned by the caller */
+PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets *held, SideShape *shape);
 PetscErrorCode SideShapeDestroy(SideShape *shape);
 
 /* Whether a patch is curved anywhere on any rank. Collective. */

@@ -361,7 +361,7 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   TreeArcs *arcs = &tree->arcs;
   PetscInt *entry, num_round = 0, num;
   SideShape shape;
-  Facets    facets;
+  Facets    facets, flat;
   Level     level;
 
   PetscFunctionBeginUser;
@@ -370,7 +370,11 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   if (tree->list.curved_file) PetscCall(FacetsRaise(&level, &facets));
   num        = facets.num;
   facets.num = num_round;
-  PetscCall(SideShapeCreate(&level, &facets, &shape));
+  flat       = (Facets){.num   = num - num_round,
+                        .type  = facets.type + num_round,
+                        .cell  = facets.cell + num_round,
+                        .nodes = facets.nodes + num_round * F};
+  PetscCall(SideShapeCreate(&level, &facets, &flat, &shape));
   facets.num = num;
   if (tree->list.curved_file) {
     PetscCall(PetscCalloc1(tree->num_entries * F, &arcs->middle));

@@ -24,34 +24,33 @@ def nodes_of(inner, outer, seed, most):
     return nodes.reshape(-1, 3)
 
 
-def point(angle, height, radius, slope=0):
-    """On cylinders, or with a slope on cones."""
-    radius += slope * height
+def point(angle, height, radius):
+    """On cylinders."""
     return [0 if abs(x) < 1e-12 else radius * x for x in (math.cos(angle), math.sin(angle))] + [height]
 
 
 class Middles:
-    """Middle nodes of edges, on cylinders where both ends are on one."""
+    """Middle nodes of edges, on the surface where both ends are on one."""
 
-    def __init__(self, nodes, slope):
-        self.nodes, self.slope, self.numbers = nodes, slope, {}
-        self.points = [point(*node, slope) for node in nodes]
+    def __init__(self, nodes, place):
+        self.nodes, self.place, self.numbers = nodes, place, {}
+        self.points = [place(*node) for node in nodes]
 
     def add(self, *ends):
         if frozenset(ends) not in self.numbers:
             a, b = (self.nodes[end - 1] for end in ends)
-            straight = np.mean([point(*a, self.slope), point(*b, self.slope)], axis=0)
-            self.points.append(straight if abs(a[2] - b[2]) > 1e-12 else point(*(a + b) / 2, self.slope))
+            straight = np.mean([self.place(*a), self.place(*b)], axis=0)
+            self.points.append(straight if abs(a[2] - b[2]) > 1e-12 else self.place(*(a + b) / 2))
             self.numbers[frozenset(ends)] = len(self.points)
         return self.numbers[frozenset(ends)]
 
 
-def write(path, inner, outer, seed, most=CELLS, order=1, slope=0):
-    """Each brick in six tetrahedra around its diagonal."""
+def write(path, inner, outer, seed, most=CELLS, order=1, place=point):
+    """Each brick in six tetrahedra around its diagonal. [in] place - of a node, from its angle, height and radius"""
     number = np.arange(1, math.prod(n + 1 for n in most) + 1).reshape([n + 1 for n in most])
     where = {node: at for at, node in np.ndenumerate(number)}
     planes = {"y0": (0, 0), "x0": (0, most[0]), "z0": (1, 0), "z1": (1, most[1]), "inside": (2, 0), "outside": (2, most[2])}
-    middles = Middles(nodes_of(inner, outer, seed, most), slope)
+    middles = Middles(nodes_of(inner, outer, seed, most), place)
     edges = {3: [(0, 1), (1, 2), (2, 0)], 4: [(0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3)]}
     cells, facets = [], []
     for brick in itertools.product(*map(range, most)):

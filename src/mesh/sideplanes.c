@@ -1,0 +1,198 @@
+/* sideplanes.c -- planes of symmetry at which sides end.
+
+   A support without normal displacement and friction on a flat side is a plane of symmetry. */
+#include "mesh/sideplanes.h"
+#include "base/compat.h"
+#include "kernel/frame.h"
+#include "kernel/vector.h"
+#include "mesh/meshimpl.h"
+#include "mesh/sidepatch.h"
+
+enum { F = ELEMENT_MAX_FACET_NODES, DIRECTION = 3 };
+
+/* Unit normals of one direction differ by less. */
+static const PetscReal SAME_DIRECTION = 1e-6;
+/* Extrapolated normals are off a right angle by this share of what means over one side are, at most. On
+   triangles in no order on tori they are by 0.003 to 0.05, on quadrics and circles by roundoff. */
+static const PetscReal RIGHT_ANGLE_SHARE = 0.1;
+
+/* The direction of a normal in a list, which is added if there is room. Returns its number, or the number of
+   them if there is none. [in,out] num, list - [SIDE_PLANES_MAX][3] */
+static PetscInt DirectionFind_Private(const PetscReal normal[3], PetscInt *num, PetscReal list[][3])
+{
+  for (PetscInt i = 0; i < *num; i++) {
+    const PetscReal along = VectorDot(3, normal, list[i]) < 0 ? -1 : 1;
+    PetscReal       most  = 0;
+
+    for (PetscInt k = 0; k < 3; k++) most = PetscMax(most, PetscAbsReal(along * normal[k] - list[i][k]));
+    if (most < SAME_DIRECTION) return i;
+  }
+  if (*num == SIDE_PLANES_MAX) return *num;
+  for (PetscInt k = 0; k < 3; k++) list[*num][k] = normal[k];
+  return (*num)++;
+}
+
+/* The directions of all ranks, the same ones on each; none if there are too many. Collective.
+   [in] held - facets of this rank; [out] normal - [SIDE_PLANES_MAX][3] */
+static PetscErrorCode DirectionsGather_Private(Level *level, const Facets *held, PetscInt *num, PetscReal normal[][3])
+{
+  PetscReal   own[SIDE_PLANES_MAX + 1][3] = {{0}}, *all; // the last row begins with their number
+  PetscInt    mine                        = 0;
+  PetscMPIInt size;
+  PetscBool   many = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < held->num && !many; f++) {
+    PetscReal n[3] = {0};
+
+    (void)FacetGetMeasure(level, held, f, n);
+    many = (PetscBool)(DirectionFind_Private(n, &mine, own) == SIDE_PLANES_MAX);
+  }
+  own[SIDE_PLANES_MAX][0] = (PetscReal)mine;
+  PetscCallMPI(MPI_Comm_size(level->comm, &size));
+  PetscCall(PetscMalloc1(size * (SIDE_PLANES_MAX + 1) * 3, &all));
+  PetscCallMPI(
+      MPI_Allgather(own, (SIDE_PLANES_MAX + 1) * 3, MPIU_REAL, all, (SIDE_PLANES_MAX + 1) * 3, MPIU_REAL, level->comm));
+  *num = 0;
+  for (PetscMPIInt r = 0; r < size; r++) {
+    const PetscReal *of = &all[r * (SIDE_PLANES_MAX + 1) * 3];
+
+    for (PetscInt i = 0; i < (PetscInt)of[SIDE_PLANES_MAX * 3]; i++)
+      many = (PetscBool)(many || DirectionFind_Private(&of[3 * i], num, normal) == SIDE_PLANES_MAX);
+  }
+  PetscCall(PetscFree(all));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &many, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (many) *num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sets the bits of nodes. Collective. */
+static PetscErrorCode SidePlanesSetNodes_Private(Level *level, const SideSums *sums, const Facets *held,
+                                                 SidePlanes *planes)
+{
+  const Facets *facets = sums->facets;
+  PetscScalar  *a;
+  Vec           marks, local;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, planes->num, &marks));
+  PetscCall(VecGhostGetLocalForm(marks, &local));
+  PetscCall(VecGetArray(local, &a));
+  for (PetscInt f = 0; f < held->num; f++) {
+    PetscReal n[3] = {0};
+    PetscInt  q;
+
+    (void)FacetGetMeasure(level, held, f, n);
+    q = DirectionFind_Private(n, &planes->num, planes->normal);
+    for (PetscInt i = 0; i < ElementNumNodes(held->type[f]); i++) a[held->nodes[f * F + i] * planes->num + q] = 1;
+  }
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(LevelShareVec(marks, ADD_VALUES));
+  PetscCall(VecGetArray(local, &a));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+      for (PetscInt q = 0; q < planes->num; q++) {
+        if (PetscRealPart(a[facets->nodes[f * F + i] * planes->num + q]) > 0)
+          planes->on[sums->corner[f * F + i]] |= 1 << q;
+      }
+    }
+  }
+  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(VecDestroy(&marks));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SidePlanesCreate(Level *level, const SideSums *sums, const Facets *held, SidePlanes *planes)
+{
+  PetscFunctionBeginUser;
+  *planes = (SidePlanes){.num = 0};
+  PetscCall(PetscCalloc1(sums->num, &planes->on));
+  if (!held) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(DirectionsGather_Private(level, held, &planes->num, planes->normal));
+  if (planes->num) PetscCall(SidePlanesSetNodes_Private(level, sums, held, planes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SidePlanesDestroy(SidePlanes *planes)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(planes->on));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SidePlanesJudge(const SideSums *sums, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
+                               const PetscReal end[], SidePlanes *planes)
+{
+  const Facets *facets                   = sums->facets;
+  PetscReal     sum[SIDE_PLANES_MAX * 3] = {0}; // squares of means and ends along the normals, numbers
+  PetscInt      keep                     = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt f = 0; f < facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+      const PetscInt c = f * F + i;
+
+      for (PetscInt q = 0; q < planes->num; q++) {
+        if (planes->on[sums->corner[c]] != 1 << q || skip[c] != 0) continue; // corners have two
+        sum[3 * q] += PetscSqr(VectorDot(dim, &mean[c * dim], planes->normal[q]));
+        sum[3 * q + 1] += PetscSqr(VectorDot(dim, &end[c * dim], planes->normal[q]));
+        sum[3 * q + 2] += PetscSqr(FLAT_SIDE);
+      }
+    }
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, SIDE_PLANES_MAX * 3, MPIU_REAL, MPIU_SUM, sums->comm));
+  for (PetscInt q = 0; q < planes->num; q++) {
+    if (sum[3 * q + 2] > 0 && sum[3 * q + 1] <= PetscSqr(RIGHT_ANGLE_SHARE) * sum[3 * q] + sum[3 * q + 2])
+      keep |= 1 << q;
+  }
+  for (PetscInt n = 0; n < sums->num; n++) planes->on[n] &= keep;
+  if (!keep) planes->num = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+void SidePlanesReflect(const SidePlanes *planes, PetscInt dim, PetscInt plane, PetscReal v[])
+{
+  const PetscReal *m     = planes->normal[plane];
+  const PetscReal  along = VectorDot(dim, m, v);
+
+  for (PetscInt k = 0; k < dim; k++) v[k] -= 2 * along * m[k];
+}
+
+void SidePlanesProject(const SidePlanes *planes, PetscInt dim, PetscInt on, PetscReal normal[])
+{
+  PetscReal basis[3][3]; // orthonormal, of the normals of the planes
+  PetscInt  num = 0;
+
+  for (PetscInt q = 0; q < planes->num && num < dim - 1; q++) {
+    PetscReal *m = basis[num];
+
+    if (!(on >> q & 1)) continue;
+    for (PetscInt k = 0; k < 3; k++) m[k] = planes->normal[q][k];
+    for (PetscInt j = 0; j < num; j++) {
+      const PetscReal along = VectorDot(3, m, basis[j]);
+
+      for (PetscInt k = 0; k < 3; k++) m[k] -= along * basis[j][k];
+    }
+    FrameNormalize(3, m);
+    num++;
+  }
+  for (PetscInt j = 0; j < num; j++) {
+    const PetscReal along = VectorDot(dim, normal, basis[j]);
+
+    for (PetscInt k = 0; k < dim; k++) normal[k] -= along * basis[j][k];
+  }
+  FrameNormalize(dim, normal);
+}
+
+void SidePlanesReflectMatrix(const SidePlanes *planes, PetscInt dim, PetscInt plane, PetscReal A[])
+{
+  for (PetscInt r = 0; r < dim; r++) SidePlanesReflect(planes, dim, plane, &A[r * dim]);
+  for (PetscInt c = 0; c < dim; c++) {
+    PetscReal column[3];
+
+    for (PetscInt r = 0; r < dim; r++) column[r] = A[r * dim + c];
+    SidePlanesReflect(planes, dim, plane, column);
+    for (PetscInt r = 0; r < dim; r++) A[r * dim + c] = column[r];
+  }
+}
