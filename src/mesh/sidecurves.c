@@ -23,7 +23,7 @@ typedef struct {
   PetscReal mirrored[2]; /* normal of the node at the other end, in this part */
   PetscReal length;
   PetscReal two;  /* length of both parts at the other end; 0 where that is an end of the patch */
-  PetscReal same; /* 1 if the node's circle passes through the next part on this side as well */
+  PetscReal same; /* 1 if the node's circle passes through the next part on this side as well, or is a line */
 } Way;
 
 enum { WAYS = 2 * sizeof(Way) / sizeof(PetscReal) };
@@ -111,13 +111,15 @@ static void CurveSetMirror_Private(const Curve *curve, PetscInt f, PetscInt at, 
 {
   const PetscReal *own = &curve->shape->normal[(f * F + at) * 2], *other = &curve->shape->normal[(f * F + to) * 2];
   Way             *way = &curve->way[f * F + at][side];
-  PetscReal        turn;
+  PetscReal        image[2], turn;
 
+  CurveMirror_Private(curve, f, at, to, own, image);
+  way->same = CurveIsInner_Private(curve, f * F + at) && NormalsDistance_Private(own, image) <= FLAT_SIDE ? 1 : 0;
   if (!CurveIsInner_Private(curve, f * F + to)) return;
   CurveMirror_Private(curve, f, at, to, other, way->mirrored);
-  turn      = NormalsDistance_Private(other, way->mirrored);
-  way->two  = curve->two[f * F + to];
-  way->same = NormalsDistance_Private(own, way->mirrored) <= PetscMax(SAME_CIRCLE * turn, FLAT_SIDE) ? 1 : 0;
+  turn     = NormalsDistance_Private(other, way->mirrored);
+  way->two = curve->two[f * F + to];
+  if (NormalsDistance_Private(own, way->mirrored) <= PetscMax(SAME_CIRCLE * turn, FLAT_SIDE)) way->same = 1;
 }
 
 /* The part behind a plane of symmetry is the mirror image of that before it. */

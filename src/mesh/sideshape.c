@@ -360,7 +360,7 @@ static PetscErrorCode SideShapeTurns_Private(const Side *side, PetscBool *turns)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether facets of a side in space are those of a file: their nodes may lie on the surfaces of a part. A map
+/* Whether facets of a side in space are those of a file: their nodes may lie on the surfaces of a part. A box
    has nodes in order, for which means over facets are exact on cylinders. Collective. */
 static PetscErrorCode SideShapeIsOfFile_Private(const Side *side, PetscBool *file)
 {
@@ -371,7 +371,7 @@ static PetscErrorCode SideShapeIsOfFile_Private(const Side *side, PetscBool *fil
   for (PetscInt f = 0; f < side->facets->num; f++) {
     const SceneBody *body = &scene->bodies[side->level->cell_body[side->facets->cell[f]]];
 
-    *file = (PetscBool)(*file || (body->mesh_file && !body->map));
+    *file = (PetscBool)(*file || body->mesh_file);
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, file, 1, MPIU_BOOL, MPI_LOR, side->level->comm));
   *file = (PetscBool)(*file && side->level->dim == 3);

@@ -86,3 +86,6 @@ def judge(run):
         near(f"{name}: nodes in contact", fit.pair("fit")["active_nodes"], len(pressure))
         near(f"{name}: mean pressure", fit.pair("fit")["mean_pressure"], PRESSURE, relative=0.02)
         near(f"{name}: least and largest pressure", [pressure.min(), pressure.max()], [PRESSURE, PRESSURE], relative=within)
+        if name == "order1":
+            mapped = fit.again("-inner_map", "x,y,z", "-outer_map", "x,y,z", name="mapped")
+            near("pressure of mapped files", mapped.table("fit")["pressure"], pressure, absolute=1e-9 * PRESSURE)
