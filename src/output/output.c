@@ -49,6 +49,11 @@ PetscErrorCode OutputCheck(Scene scene)
       for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); i++) {
         if (!files[i]) continue;
         PetscCall(OutputGetPath_Private(scene, p < 0 ? NULL : scene->pairs[p].name, files[i], path));
+        if (scene->summary && !strcmp(path, scene->summary)) {
+          PetscCall(UserErrorRaise(
+              scene->comm, "-summary %s: -output %s writes this file, too; name another one, or - to print the summary",
+              scene->summary, scene->output));
+        }
         PetscCall(FileSetCheck(scene->comm, "-output", path));
       }
     }

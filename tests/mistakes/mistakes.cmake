@@ -294,6 +294,7 @@ mistake(probe_of_no_body    SAYS "-probe_tip_body uper" "did you mean upper?" AR
 mistake(probe_unlisted      SAYS "-probe_tip_at 0,0" -probes ARGS -probe_tip_at 0,0)
 mistake(output_in_file      SAYS -output boxes.opts ARGS -output ${here}/boxes.opts/result)
 mistake(output_forbidden    SAYS -output /proc ARGS -output /proc/result)
+mistake(output_twice        SAYS "-summary result.json" "-output result" ARGS -output result -summary result.json)
 mistake(output_format       SAYS -output_format "'vtk'" "xdmf, vtu" ARGS -output_format vtk)
 mistake(summary_forbidden   SAYS -summary /proc ARGS -summary /proc/summary.json)
 mistake(quiet_monitor       SAYS -monitor -quiet ARGS -quiet -monitor)
