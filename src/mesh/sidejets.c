@@ -143,16 +143,14 @@ static PetscErrorCode JetsBegin_Private(Jets *jets, const PetscReal exact[], Pet
 /* The derivative of all monomials at a place, a times by x and b times by y. [out] m - [QUARTIC] */
 static void JetMonomials_Private(PetscReal x, PetscReal y, PetscInt a, PetscInt b, PetscReal m[])
 {
-  PetscInt n = 0;
+  static const PetscReal factor[3][5] = {{1, 1, 1, 1, 1}, {0, 1, 2, 3, 4}, {0, 0, 2, 6, 12}}; // of powers
+  PetscReal              X[5]         = {1, x, x * x, x * x * x, x * x * x * x};
+  PetscReal              Y[5]         = {1, y, y * y, y * y * y, y * y * y * y};
+  PetscInt               n            = 0;
 
   for (PetscInt degree = 1; degree <= 4; degree++) {
-    for (PetscInt j = 0; j <= degree; j++, n++) {
-      PetscReal value = 1;
-
-      for (PetscInt k = 0; k < degree - j; k++) value *= k < a ? degree - j - k : x;
-      for (PetscInt k = 0; k < j; k++) value *= k < b ? j - k : y;
-      m[n] = degree - j < a || j < b ? 0 : value;
-    }
+    for (PetscInt j = 0; j <= degree; j++, n++)
+      m[n] = degree - j < a || j < b ? 0 : factor[a][degree - j] * X[degree - j - a] * factor[b][j] * Y[j - b];
   }
 }
 

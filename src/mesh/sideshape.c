@@ -414,8 +414,11 @@ static PetscErrorCode SideShapeGetHeld_Private(Level *level, Facets *held)
 }
 
 /* Normals from means over facets: those of quadrics and of curves of higher order, where there are, and
-   extrapolated ones at ends. Collective. [in] mean - [num][F][dim]; [out] known - of curvatures [num][F] */
-static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal mean[], PetscReal known[])
+   extrapolated ones at ends. Collective.
+   [in] mean - [num][F][dim]; [in] quadrics - zero where there is none [num][F][dim], or NULL; [out] known - of
+   curvatures [num][F] */
+static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal mean[], const PetscReal quadrics[],
+                                                  PetscReal known[])
 {
   const PetscInt dim = side->level->dim, num = side->facets->num * F;
   SideShape     *shape = side->shape;
@@ -424,8 +427,8 @@ static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal me
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num * dim, &exact));
   PetscCall(PetscArraycpy(shape->normal, mean, num * dim));
-  if (shape->quadric) {
-    PetscCall(SideQuadricsGetNormals(side->level, &side->nodes, shape, side->share, exact));
+  if (quadrics) {
+    PetscCall(PetscArraycpy(exact, quadrics, num * dim));
     PetscCall(SideJetsGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, exact));
   }
   if (dim == 2) PetscCall(SideCurvesGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, exact));
@@ -467,7 +470,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
 {
   const PetscInt dim = level->dim, num = facets->num * F;
   Side           side = {.level = level, .facets = facets, .shape = shape};
-  PetscReal     *known, *mean;
+  PetscReal     *known, *mean, *quadrics = NULL;
   PetscBool      turns, file;
 
   PetscFunctionBeginUser;
@@ -486,10 +489,13 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
     PetscCall(PetscArraycpy(mean, shape->normal, num * dim));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
     if (file) PetscCall(PetscCalloc1(facets->num, &shape->quadric));
+    if (file) PetscCall(PetscCalloc1(num * dim, &quadrics));
+    if (file) PetscCall(SideQuadricsGetNormals(level, &side.nodes, shape, side.share, quadrics));
     PetscCall(SidePlanesCreate(level, &side.nodes, NULL, &side.planes));
-    PetscCall(SideShapeSetNormals_Private(&side, mean, known));
+    PetscCall(SideShapeSetNormals_Private(&side, mean, quadrics, known));
     if (file || dim == 2) PetscCall(SideShapeFindPlanes_Private(&side, held, mean));
-    if (side.planes.num) PetscCall(SideShapeSetNormals_Private(&side, mean, known));
+    if (side.planes.num) PetscCall(SideShapeSetNormals_Private(&side, mean, quadrics, known));
+    PetscCall(PetscFree(quadrics));
     PetscCall(ArcNormalsTake(level, facets, shape));
     PetscCall(SideHangingSetShape(level, facets, shape));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
