@@ -415,8 +415,8 @@ static PetscErrorCode SideShapeGetHeld_Private(Level *level, Facets *held)
 
 /* Normals from means over facets: those of quadrics and of curves of higher order, where there are, and
    extrapolated ones at ends. Collective.
-   [in] mean - [num][F][dim]; [in] quadrics - zero where there is none [num][F][dim], or NULL; [out] known - of
-   curvatures [num][F] */
+   [in] mean - [num][F][dim]; [in] quadrics - zero where there is none [num][F][dim], or NULL;
+   [out] known - of curvatures [num][F] */
 static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal mean[], const PetscReal quadrics[],
                                                   PetscReal known[])
 {
