@@ -12,9 +12,10 @@ enum { F = ELEMENT_MAX_FACET_NODES, DIRECTION = 3 };
 
 /* Unit normals of one direction differ by less. */
 static const PetscReal SAME_DIRECTION = 1e-6;
-/* Extrapolated normals are off a right angle by this share of what means over one side are, at most. On
-   triangles in no order on tori they are by 0.003 to 0.05, on quadrics and circles by roundoff. */
-static const PetscReal RIGHT_ANGLE_SHARE = 0.1;
+/* Extrapolated normals are off a right angle by this share of what means over one side are, at most; on tori
+   of triangles in no order, with 8 to 14 degrees a facet, by 0.001 to 0.04. Next to corners they are less
+   accurate: most ends are enough. */
+static const PetscReal RIGHT_ANGLE_SHARE = 0.05, MOST_ENDS = 0.75;
 
 /* The direction of a normal in a list, which is added if there is room. Returns its number, or the number of
    them if there is none. [in,out] num, list - [SIDE_PLANES_MAX][3] */
@@ -121,32 +122,54 @@ PetscErrorCode SidePlanesDestroy(SidePlanes *planes)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SidePlanesJudge(const SideSums *sums, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
-                               const PetscReal end[], SidePlanes *planes)
+/* Of the nodes on a plane that are on no other one. */
+typedef struct {
+  PetscReal squares, num,
+      within; /* sum of squares of means along its normal; nodes; those with ends within the limit */
+  PetscReal limit;
+} PlaneCount;
+
+/* Counts for all planes. Collective. [in,out] count - with limits [SIDE_PLANES_MAX] */
+static PetscErrorCode SidePlanesCount_Private(const SideSums *nodes, const SidePlanes *planes, PetscInt dim,
+                                              const PetscReal skip[], const PetscReal mean[], const PetscReal end[],
+                                              PlaneCount count[])
 {
-  const Facets *facets                   = sums->facets;
-  PetscReal     sum[SIDE_PLANES_MAX * 3] = {0}; // squares of means and ends along the normals, numbers
-  PetscInt      keep                     = 0;
+  const Facets *facets = nodes->facets;
 
   PetscFunctionBeginUser;
-  for (PetscInt f = 0; f < facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
-      const PetscInt c = f * F + i;
+  for (PetscInt q = 0; q < planes->num; q++) {
+    PetscReal sums[3] = {0, 0, 0};
 
-      for (PetscInt q = 0; q < planes->num; q++) {
-        if (planes->on[sums->corner[c]] != 1 << q || skip[c] != 0) continue; // corners have two
-        sum[3 * q] += PetscSqr(VectorDot(dim, &mean[c * dim], planes->normal[q]));
-        sum[3 * q + 1] += PetscSqr(VectorDot(dim, &end[c * dim], planes->normal[q]));
-        sum[3 * q + 2] += PetscSqr(FLAT_SIDE);
+    for (PetscInt f = 0; f < facets->num; f++) {
+      for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
+        const PetscInt c = f * F + i;
+
+        if (planes->on[nodes->corner[c]] != 1 << q || skip[c] != 0) continue;
+        sums[0] += PetscSqr(VectorDot(dim, &mean[c * dim], planes->normal[q]));
+        sums[1] += 1;
+        sums[2] += PetscAbsReal(VectorDot(dim, &end[c * dim], planes->normal[q])) <= count[q].limit ? 1 : 0;
       }
     }
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPIU_REAL, MPIU_SUM, nodes->comm));
+    count[q] = (PlaneCount){.squares = sums[0], .num = sums[1], .within = sums[2], .limit = count[q].limit};
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, SIDE_PLANES_MAX * 3, MPIU_REAL, MPIU_SUM, sums->comm));
-  for (PetscInt q = 0; q < planes->num; q++) {
-    if (sum[3 * q + 2] > 0 && sum[3 * q + 1] <= PetscSqr(RIGHT_ANGLE_SHARE) * sum[3 * q] + sum[3 * q + 2])
-      keep |= 1 << q;
-  }
-  for (PetscInt n = 0; n < sums->num; n++) planes->on[n] &= keep;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SidePlanesJudge(const SideSums *nodes, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
+                               const PetscReal end[], SidePlanes *planes)
+{
+  PlaneCount count[SIDE_PLANES_MAX] = {{0}};
+  PetscInt   keep                   = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(SidePlanesCount_Private(nodes, planes, dim, skip, mean, end, count));
+  for (PetscInt q = 0; q < planes->num; q++)
+    count[q].limit = FLAT_SIDE + RIGHT_ANGLE_SHARE * PetscSqrtReal(count[q].squares / PetscMax(count[q].num, 1));
+  PetscCall(SidePlanesCount_Private(nodes, planes, dim, skip, mean, end, count));
+  for (PetscInt q = 0; q < planes->num; q++)
+    if (count[q].num > 0 && count[q].within >= MOST_ENDS * count[q].num) keep |= 1 << q;
+  for (PetscInt n = 0; n < nodes->num; n++) planes->on[n] &= keep;
   if (!keep) planes->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

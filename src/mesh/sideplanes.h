@@ -20,10 +20,10 @@ typedef struct {
 PetscErrorCode SidePlanesCreate(Level *level, const SideSums *sums, const Facets *held, SidePlanes *planes);
 PetscErrorCode SidePlanesDestroy(SidePlanes *planes);
 
-/* Drops the directions that the other side does not meet at a right angle: its normals at ends, extrapolated,
-   are far from there for means over one side. Collective.
+/* Drops the directions that the other side does not meet at a right angle: most of its normals at ends,
+   extrapolated, are far from there for means over one side. Collective.
    [in] skip - not 0 at corners that have no part in it [num][F]; [in] mean, end - normals [num][F][dim] */
-PetscErrorCode SidePlanesJudge(const SideSums *sums, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
+PetscErrorCode SidePlanesJudge(const SideSums *nodes, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
                                const PetscReal end[], SidePlanes *planes);
 
 /* Makes a normal tangential to planes. Where these leave one direction, it is exact. Not collective.
