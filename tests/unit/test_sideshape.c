@@ -78,17 +78,23 @@ static void TestCircle(void)
   TestSceneFree(&t);
 }
 
-/* The normal of curve 0, an ellipse, and of curves 1 and 2, a line that passes over into an arc at x = 1. */
+/* The normal of curves 0 and 3, an ellipse, and of curves 1 and 2, a line that passes over into an arc at x = 1. */
 static void CurveNormal(PetscInt curve, const PetscReal x[2], PetscReal n[2])
 {
-  n[0] = curve ? PetscMax(x[0] - 1, 0) : x[0] / 4;
-  n[1] = curve ? (x[0] > 1 ? x[1] + 1 : 1) : x[1];
+  const PetscBool ellipse = (PetscBool)(curve % 3 == 0);
+
+  n[0] = ellipse ? x[0] / 4 : PetscMax(x[0] - 1, 0);
+  n[1] = ellipse ? x[1] : x[0] > 1 ? x[1] + 1 : 1;
   (void)FrameNormalize(2, n);
 }
 
 /* The largest error of a normal on a side of unequal facets; on curve 2 of those of the line. */
 static PetscReal CurveError(PetscInt curve, PetscInt order, PetscInt facets_along)
 {
+  const char *const line    = "x<1?x:1+(1+y)*sin((x-1)*(1+0.1*x)),x<1?y:(1+y)*cos((x-1)*(1+0.1*x))-1";
+  const char *const maps[4] = {"2*(1+y)*sin(0.3+0.5*x+0.05*x^2),(1+y)*cos(0.3+0.5*x+0.05*x^2)", line, line,
+                               "2*(1+y)*sin(pi/4*(x+0.15*sin(pi*x))),(1+y)*cos(pi/4*(x+0.15*sin(pi*x)))"};
+
   TestScene t;
   Level    *level;
   Mesh      mesh;
@@ -99,8 +105,9 @@ static PetscReal CurveError(PetscInt curve, PetscInt order, PetscInt facets_alon
   TestSceneInit(&t);
   (void)TestSceneAddBox(&t, "body", facets_along, 1, 0, -0.2, 2, 0);
   (void)TestSceneAddPair(&t, "pair", 0, "top", 0, "bottom");
-  TestSceneSetMap(&t.bodies[0], curve ? "x<1?x:1+(1+y)*sin((x-1)*(1+0.1*x)),x<1?y:(1+y)*cos((x-1)*(1+0.1*x))-1"
-                                      : "2*(1+y)*sin(0.3+0.5*x+0.05*x^2),(1+y)*cos(0.3+0.5*x+0.05*x^2)");
+  TestSceneSetMap(&t.bodies[0], maps[curve]);
+  for (PetscInt i = 0; i < 2 && curve == 3; ++i)
+    TestSceneAddBoundary(&t.bodies[0], BOUNDARY_NORMAL, i ? "right" : "left", NULL);
   t.bodies[0].order = order;
   mesh              = TestSceneMesh(&t);
   level             = MeshFinest(mesh);
@@ -123,7 +130,8 @@ static PetscReal CurveError(PetscInt curve, PetscInt order, PetscInt facets_alon
   return error;
 }
 
-/* Fourth order on an ellipse (third at its ends); exact where a line passes over into an arc. A line of two facets stays one. */
+/* Fourth order on an ellipse (third at its ends); exact where a line passes over into an arc. A line of two facets stays one.
+   Where an ellipse ends on planes of symmetry, all is of fourth order. */
 static void TestCurves(void)
 {
   for (PetscInt order = 1; order <= 2; ++order) {
@@ -131,6 +139,7 @@ static void TestCurves(void)
     CHECK(CurveError(0, order, 96 / order) < CurveError(0, order, 48 / order) / 6.5);
     CHECK_NEAR(CurveError(1, order, 12 / order), 0, EXACT);
     CHECK_NEAR(CurveError(2, order, 4 / order), 0, EXACT);
+    CHECK(CurveError(3, order, 96 / order) < CurveError(3, order, 48 / order) / 14);
   }
 }
 
