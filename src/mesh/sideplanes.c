@@ -8,7 +8,7 @@
 #include "mesh/meshimpl.h"
 #include "mesh/sidepatch.h"
 
-enum { F = ELEMENT_MAX_FACET_NODES, DIRECTION = 3 };
+enum { F = ELEMENT_MAX_FACET_NODES };
 
 /* Unit normals of one direction differ by less. */
 static const PetscReal SAME_DIRECTION = 1e-6;
@@ -81,11 +81,12 @@ static PetscErrorCode SidePlanesSetNodes_Private(Level *level, const SideSums *s
   PetscCall(VecGetArray(local, &a));
   for (PetscInt f = 0; f < held->num; f++) {
     PetscReal n[3] = {0};
-    PetscInt  q;
+    PetscInt  num  = planes->num, q;
 
     (void)FacetGetMeasure(level, held, f, n);
-    q = DirectionFind_Private(n, &planes->num, planes->normal);
-    for (PetscInt i = 0; i < ElementNumNodes(held->type[f]); i++) a[held->nodes[f * F + i] * planes->num + q] = 1;
+    q = DirectionFind_Private(n, &num, planes->normal);
+    for (PetscInt i = 0; i < ElementNumNodes(held->type[f]) && q < planes->num; i++)
+      a[held->nodes[f * F + i] * planes->num + q] = 1;
   }
   PetscCall(VecRestoreArray(local, &a));
   PetscCall(LevelShareVec(marks, ADD_VALUES));
