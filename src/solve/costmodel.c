@@ -29,7 +29,7 @@ static const PetscReal FLOATING_FACTOR = 0.25;
 /* The same ratio once the inequality has been solved with a proximal term: a factorization would begin with
    an unknown contact state again. */
 static const PetscReal FOUND_FACTOR = 2;
-/* The same ratio for what a system will still cost whose set an iterate has confirmed. */
+/* The same ratio for the remaining cost of a system, once an iterate has confirmed its set. */
 static const PetscReal LEFT_FACTOR = 0.5;
 /* Assumed part of the bounded unknowns that is free, for the dense factorization of each set. */
 static const PetscReal FREE_PART = 0.5;
