@@ -21,8 +21,7 @@ void QuadricMonomials(const PetscReal x[3], PetscReal m[])
   }
 }
 
-/* c.m and its gradient at a point, from the origin. */
-static PetscReal QuadricValue_Private(const PetscReal c[], const PetscReal x[3], PetscReal gradient[3])
+PetscReal QuadricValue(const PetscReal c[], const PetscReal x[3], PetscReal gradient[3])
 {
   PetscReal m[QUADRIC_MONOMIALS], value = 0;
   PetscInt  n = QUADRIC_SQUARE;
@@ -51,7 +50,7 @@ PetscBool QuadricTakeArc(const Quadric *quadric, const PetscReal x0[3], const Pe
     x[k]      = middle[k] + offset[k];
   }
   for (PetscInt step = 0; step < STEPS; step++) {
-    const PetscReal value = QuadricValue_Private(quadric->c, x, gradient), square = VectorDot(3, gradient, gradient);
+    const PetscReal value = QuadricValue(quadric->c, x, gradient), square = VectorDot(3, gradient, gradient);
     PetscReal       along = -value;
 
     if (!(square > 0)) return PETSC_FALSE;

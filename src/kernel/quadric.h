@@ -17,6 +17,8 @@ typedef struct {
 
 /* The monomials m(x). Not collective. [out] m - [QUADRIC_MONOMIALS] */
 void QuadricMonomials(const PetscReal x[3], PetscReal m[]);
+/* c.m(x) and its gradient. Not collective. [in] c - [QUADRIC_MONOMIALS] */
+PetscReal QuadricValue(const PetscReal c[], const PetscReal x[3], PetscReal gradient[3]);
 
 /* Moves the middle of a curve over an edge to the point of a quadric that is nearest to the edge's, if it is
    not there. Arcs (4.5) are on cylinders and spheres, not on cones. Not collective. Returns whether it did.

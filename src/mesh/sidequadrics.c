@@ -31,26 +31,6 @@ static const PetscReal ON_QUADRIC = 1e-5, CONFIRMS = 1e-4;
 /* Eigenvalues of G below this share are zero: of several quadrics, the flattest one counts. */
 static const PetscReal NO_EIGENVALUE = 1e-12;
 
-/* T with m(x + d) = T m(x). */
-static void QuadricShift_Private(const PetscReal d[3], PetscReal T[MONOMIALS * MONOMIALS])
-{
-  PetscInt n = SQUARE;
-
-  QuadricMonomials(d, T); // values at x = 0, to be the first column
-  for (PetscInt row = MONOMIALS - 1; row >= 0; row--) {
-    const PetscReal value = T[row];
-
-    for (PetscInt k = 0; k < MONOMIALS; k++) T[row * MONOMIALS + k] = k == row ? 1 : 0;
-    if (row) T[row * MONOMIALS] = value;
-  }
-  for (PetscInt i = 0; i < 3; i++) {
-    for (PetscInt j = i; j < 3; j++, n++) {
-      T[n * MONOMIALS + LINEAR + i] += d[j];
-      T[n * MONOMIALS + LINEAR + j] += d[i];
-    }
-  }
-}
-
 static PetscInt GramIndex_Private(PetscInt i, PetscInt j)
 {
   const PetscInt row = PetscMin(i, j), column = PetscMax(i, j);
@@ -69,36 +49,63 @@ static void GramAddPoint_Private(const PetscReal x[3], PetscReal G[GRAM])
   }
 }
 
+/* Both halves of G. */
+static void GramFill_Private(const PetscReal G[GRAM], PetscReal H[MONOMIALS][MONOMIALS])
+{
+  PetscInt n = 0;
+
+  for (PetscInt i = 0; i < MONOMIALS; i++) {
+    for (PetscInt j = i; j < MONOMIALS; j++) H[i][j] = H[j][i] = G[n++];
+  }
+}
+
 /* B G B'. [in] B - [rows][MONOMIALS]; [out] H - [rows][rows] */
 static void GramTransform_Private(PetscInt rows, const PetscReal B[], const PetscReal G[GRAM], PetscReal H[])
 {
-  PetscReal BG[MONOMIALS];
+  PetscReal full[MONOMIALS][MONOMIALS];
 
+  GramFill_Private(G, full);
   for (PetscInt i = 0; i < rows; i++) {
-    for (PetscInt k = 0; k < MONOMIALS; k++) {
-      BG[k] = 0;
-      for (PetscInt l = 0; l < MONOMIALS; l++) {
-        if (B[i * MONOMIALS + l] != 0) BG[k] += B[i * MONOMIALS + l] * G[GramIndex_Private(k, l)];
-      }
+    PetscReal BG[MONOMIALS] = {0};
+
+    for (PetscInt l = 0; l < MONOMIALS; l++) {
+      if (B[i * MONOMIALS + l] == 0) continue;
+      for (PetscInt k = 0; k < MONOMIALS; k++) BG[k] += B[i * MONOMIALS + l] * full[l][k];
     }
-    for (PetscInt j = 0; j < rows; j++) {
-      H[i * rows + j] = 0;
-      for (PetscInt k = 0; k < MONOMIALS; k++) {
-        if (B[j * MONOMIALS + k] != 0) H[i * rows + j] += BG[k] * B[j * MONOMIALS + k];
-      }
+    for (PetscInt j = i; j < rows; j++) H[i * rows + j] = H[j * rows + i] = VectorDot(MONOMIALS, BG, &B[j * MONOMIALS]);
+  }
+}
+
+/* Rows of monomials m(x) of a matrix become those of m(x + d). */
+static void GramShiftRows_Private(const PetscReal d[3], PetscReal H[MONOMIALS][MONOMIALS])
+{
+  PetscInt n = SQUARE;
+
+  for (PetscInt i = 0; i < 3; i++) {
+    for (PetscInt j = i; j < 3; j++, n++) {
+      for (PetscInt k = 0; k < MONOMIALS; k++)
+        H[n][k] += d[j] * H[LINEAR + i][k] + d[i] * H[LINEAR + j][k] + d[i] * d[j] * H[0][k];
     }
+  }
+  for (PetscInt i = 0; i < 3; i++) {
+    for (PetscInt k = 0; k < MONOMIALS; k++) H[LINEAR + i][k] += d[i] * H[0][k];
   }
 }
 
 /* G of points about one origin, added to that about another. [in] d - from the new origin to the old one */
 static void GramAddShifted_Private(const PetscReal d[3], const PetscReal G[GRAM], PetscReal sum[GRAM])
 {
-  PetscReal T[MONOMIALS * MONOMIALS], H[MONOMIALS * MONOMIALS];
+  PetscReal H[MONOMIALS][MONOMIALS], C[MONOMIALS][MONOMIALS];
+  PetscInt  n = 0;
 
-  QuadricShift_Private(d, T);
-  GramTransform_Private(MONOMIALS, T, G, H);
+  GramFill_Private(G, H);
+  GramShiftRows_Private(d, H);
   for (PetscInt i = 0; i < MONOMIALS; i++) {
-    for (PetscInt j = i; j < MONOMIALS; j++) sum[GramIndex_Private(i, j)] += H[i * MONOMIALS + j];
+    for (PetscInt j = 0; j < MONOMIALS; j++) C[i][j] = H[j][i];
+  }
+  GramShiftRows_Private(d, C);
+  for (PetscInt i = 0; i < MONOMIALS; i++) {
+    for (PetscInt j = i; j < MONOMIALS; j++) sum[n++] += C[i][j];
   }
 }
 
@@ -271,15 +278,12 @@ static PetscBool PatchCarry_Private(const Patch *patch, const PetscReal quadric[
                                     PetscReal c[])
 {
   const PetscReal *other = &quadric[(f * F + j) * MONOMIALS];
-  PetscReal        d[3], T[MONOMIALS * MONOMIALS];
+  PetscReal        d[3];
 
   if (VectorNorm(3, &other[LINEAR]) == 0) return PETSC_FALSE;
   PatchGetWay_Private(patch, f, j, i, d);
-  QuadricShift_Private(d, T);
-  for (PetscInt k = 0; k < MONOMIALS; k++) {
-    c[k] = 0;
-    for (PetscInt l = 0; l < MONOMIALS; l++) c[k] += other[l] * T[l * MONOMIALS + k];
-  }
+  c[0] = QuadricValue(other, d, &c[LINEAR]);
+  for (PetscInt k = SQUARE; k < MONOMIALS; k++) c[k] = other[k];
   return QuadricPasses_Private(&patch->shape->normal[(f * F + i) * 3], VectorNorm(3, d), c);
 }
 
