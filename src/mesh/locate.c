@@ -174,3 +174,44 @@ PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], Pet
   *found = winner < size ? PETSC_TRUE : PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+/* The largest distance of two vertices of a cell. */
+static PetscReal LocateGetSize_Private(const Level *level, PetscInt c)
+{
+  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
+  const PetscInt  n    = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
+  PetscReal       most = 0;
+
+  for (PetscInt i = 0; i < n; i++) {
+    for (PetscInt j = 0; j < i; j++)
+      most = PetscMax(most, VectorDistance(dim, &level->coords[nodes[i] * dim], &level->coords[nodes[j] * dim]));
+  }
+  return most;
+}
+
+PetscErrorCode LevelLocateAll(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[], PetscReal *size)
+{
+  static const PetscReal SAME_PLACE = 1e-6; /* of a cell's size */
+  const PetscInt         dim        = level->dim;
+  PetscReal              X[ELEMENT_MAX_NODES * 3], xi[3];
+  PetscBool              found;
+  PetscInt               cell;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelLocate(level, body, at, &cell, xi, &found)); // may lie outside of all, under a curve
+  *size = cell >= 0 ? LocateGetSize_Private(level, cell) : 0;
+  if (marked && cell >= 0) marked[cell] = PetscMax(1, marked[cell]);
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
+    const PetscInt  num   = level->cell_start[c + 1] - level->cell_start[c];
+    const PetscReal reach = level->cell_body[c] == body ? LocateGetSize_Private(level, c) : -1;
+
+    if (reach < 0 || VectorDistance(dim, &level->coords[nodes[0] * dim], at) > 2 * reach) continue;
+    VectorGather(dim, num, nodes, level->coords, X);
+    if (!ElementLocate((ElementType)level->cell_type[c], X, at, SAME_PLACE, xi)) continue;
+    *size = PetscMax(*size, reach);
+    if (marked) marked[c] = PetscMax(1, marked[c]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

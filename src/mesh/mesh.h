@@ -136,6 +136,8 @@ PetscErrorCode SideNamesDestroy(SideNames *names);
 
 /* Facets of a body's side on a level. Collective. [out] facets - owned by the caller, FacetsDestroy() */
 PetscErrorCode LevelGetFacets(Level *level, Scene scene, PetscInt body, const char side[], Facets *facets);
+/* The facets of a body that no other cell has. Collective. [out] facets - owned by the caller */
+PetscErrorCode LevelGetBoundary(const Level *level, PetscInt body, Facets *facets);
 PetscErrorCode FacetsDestroy(Facets *facets);
 
 /* A ghosted Vec with bs values per node: VecGhostGetLocalForm() gives them in local node order.
@@ -173,5 +175,9 @@ PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E)
    [out] found - the same on all ranks */
 PetscErrorCode LevelLocate(Level *level, PetscInt body, const PetscReal x[], PetscInt *cell, PetscReal xi[],
                            PetscBool *found);
+/* All cells of a body that contain a point, on all ranks, so that their number makes no difference.
+   Collective.
+   [in,out] marked - at least 1 for these cells [num_cells], or NULL; [out] size - the largest of theirs */
+PetscErrorCode LevelLocateAll(Level *level, PetscInt body, const PetscReal x[], PetscInt marked[], PetscReal *size);
 
 #endif

@@ -211,8 +211,6 @@ PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared);
 /* Vertices of a cell, which are the first of its nodes. */
 PetscInt LevelNumVertices(const Level *level, PetscInt cell);
 
-/* The facets of a body that no other cell has. Collective. [out] facets - owned by the caller */
-PetscErrorCode LevelGetBoundary(const Level *level, PetscInt body, Facets *facets);
 /* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit
    normal in its middle [dim], may be NULL */
 PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[]);

@@ -12,6 +12,7 @@
 #include "result/barfloors.h"
 #include "result/cellstress.h"
 #include "result/compliance.h"
+#include "result/knowntraction.h"
 #include "result/pairsum.h"
 #include "result/reactions.h"
 
@@ -20,6 +21,9 @@ enum { F = ELEMENT_MAX_FACET_NODES };
 /* Measured (tests/bench/README.md): with them 95 per cent of all bars hold. The factor of a body is larger:
    recovery finds half of the error of a body that is never refined, a quarter of its square. */
 static const PetscReal WHOLE_FACTOR = 2, BODY_FACTOR = 6, LOCAL_FACTOR = 3;
+
+/* Of LOCAL_FACTOR, where a part of the stress is known: the difference is an error, not an estimate. */
+static const PetscReal KNOWN_SHARE = 0.5;
 
 /* Of Dundurs' beta. Friction q along a half space changes the pressure that leaves it flat by beta times the
    Hilbert transform of q, which has the norm of q. */
@@ -245,6 +249,21 @@ static PetscErrorCode ProbeFloorsOfCell_Private(const Level *level, PetscInt c, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* On the surface at a probe. */
+static void ProbeFloorsOfSurface_Private(const Level *level, const KnownTraction *known,
+                                         const NodalStressArrays *recovered, ProbeFloors *floors)
+{
+  PetscReal error[CELL_STRESSES];
+
+  for (PetscInt f = 0; f < known->facets.num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(known->facets.type[f]); i++) {
+      KnownTractionGetError(known, level, recovered, f, i, error);
+      for (PetscInt k = 0; k < CELL_STRESSES; k++) error[k] *= KNOWN_SHARE;
+      ProbeFloorsTake_Private(error, floors);
+    }
+  }
+}
+
 /* Of the cell that holds a probe. Collective. [in,out] compliance */
 static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *probe, Compliance *compliance,
                                                ProbeFloors *floors)
@@ -255,16 +274,20 @@ static PetscErrorCode BarFloorsOfProbe_Private(Fields fields, const SceneProbe *
   Vec                local;
   const PetscScalar *u;
   NodalStressArrays  recovered;
+  KnownTraction      known;
   PetscInt           c;
   PetscReal          xi[3];
   PetscBool          found;
 
   PetscFunctionBeginUser;
   PetscCall(LevelLocate(level, probe->body, probe->at, &c, xi, &found));
+  PetscCall(KnownTractionCreate(level, probe->body, probe->at, &known));
   PetscCall(VecGhostGetLocalForm(fields->u, &local));
   PetscCall(VecGetArrayRead(local, &u));
   PetscCall(NodalStressGetArrays(&fields->stress, &recovered));
   if (c >= 0) PetscCall(ProbeFloorsOfCell_Private(level, c, probe->at, u, &recovered, compliance, floors));
+  ProbeFloorsOfSurface_Private(level, &known, &recovered, floors);
+  PetscCall(KnownTractionDestroy(&known));
   PetscCall(NodalStressRestoreArrays(&fields->stress, &recovered));
   PetscCall(VecRestoreArrayRead(local, &u));
   PetscCall(VecGhostRestoreLocalForm(fields->u, &local));

@@ -33,51 +33,6 @@ static PetscReal GoalGetMotion_Private(const Goal *goal, const PetscReal x[])
   return goal->scale * GoalGetWeight_Private(goal, x);
 }
 
-/* The largest distance of two vertices of a cell. */
-static PetscReal GoalGetCellSize_Private(const Level *level, PetscInt c)
-{
-  const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], dim = level->dim;
-  const PetscInt  n    = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
-  PetscReal       most = 0;
-
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt j = 0; j < i; j++)
-      most = PetscMax(most, VectorDistance(dim, &level->coords[nodes[i] * dim], &level->coords[nodes[j] * dim]));
-  }
-  return most;
-}
-
-/* The cells of a body that hold a place. Where it lies on their sides, these are all of them, so that the
-   number of ranks makes no difference. Collective.
-   [in,out] marked - [num_cells], or NULL; [out] size - the largest of theirs */
-static PetscErrorCode GoalFindCells_Private(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[],
-                                            PetscReal *size)
-{
-  static const PetscReal SAME_PLACE = 1e-6; /* of a cell's size */
-  const PetscInt         dim        = level->dim;
-  PetscReal              X[ELEMENT_MAX_NODES * CELL_MAX_DIM], xi[CELL_MAX_DIM];
-  PetscBool              found;
-  PetscInt               cell;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelLocate(level, body, at, &cell, xi, &found)); // may lie outside of all, under a curve
-  *size = cell >= 0 ? GoalGetCellSize_Private(level, cell) : 0;
-  if (marked && cell >= 0) marked[cell] = PetscMax(1, marked[cell]);
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
-    const PetscInt  num   = level->cell_start[c + 1] - level->cell_start[c];
-    const PetscReal reach = level->cell_body[c] == body ? GoalGetCellSize_Private(level, c) : -1;
-
-    if (reach < 0 || VectorDistance(dim, &level->coords[nodes[0] * dim], at) > 2 * reach) continue;
-    VectorGather(dim, num, nodes, level->coords, X);
-    if (!ElementLocate((ElementType)level->cell_type[c], X, at, SAME_PLACE, xi)) continue;
-    *size = PetscMax(*size, reach);
-    if (marked) marked[c] = PetscMax(1, marked[c]);
-  }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* d von Mises / d stress; zero where there is no stress. [in] stress - [6]; [out] gradient - [6] */
 static void GoalGetMisesGradient_Private(const PetscReal stress[], PetscReal gradient[])
 {
@@ -173,7 +128,7 @@ static PetscErrorCode GoalSetProbe_Private(const SceneProbe *probe, Goal *goal)
   PetscCall(LevelLocate(level, probe->body, probe->at, &c, xi, &found));
   if (c >= 0) material = level->cell_material[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &material, 1, MPIU_INT, MPI_MAX, level->comm));
-  PetscCall(GoalFindCells_Private(level, probe->body, probe->at, NULL, &size));
+  PetscCall(LevelLocateAll(level, probe->body, probe->at, NULL, &size));
   PetscCall(LevelGetBox(level, probe->body, lower, upper));
   PetscCall(PetscArraycpy(goal->at, probe->at, 3));
   goal->body   = probe->body;
@@ -276,15 +231,6 @@ PetscErrorCode GoalDestroy(Goal *goal)
   PetscFunctionBeginUser;
   PetscCall(VecDestroy(&goal->q));
   PetscCall(VecDestroy(&goal->lift));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode GoalMarkPlace(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[])
-{
-  PetscReal size;
-
-  PetscFunctionBeginUser;
-  PetscCall(GoalFindCells_Private(level, body, at, marked, &size));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

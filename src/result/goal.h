@@ -32,7 +32,5 @@ PetscErrorCode GoalLoad(const Goal *goal, Vec b);
 /* eta_T(z)^2 (eq. 15.3) of z + lift. Collective. [in] z - layout of vi->b, 0 in active unknowns; [out]
    estimate - owned by the caller */
 PetscErrorCode GoalEstimate(Goal *goal, Vec z, Estimate *estimate);
-/* Marks the cells that hold the place of a stress or a pressure. Collective. [in,out] marked - [num_cells] */
-PetscErrorCode GoalMarkPlace(Level *level, PetscInt body, const PetscReal at[], PetscInt marked[]);
 
 #endif

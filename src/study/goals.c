@@ -129,9 +129,10 @@ PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], co
   for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
     const GoalState *state = &states[g];
     const PetscReal  limit = scene->adapt.goal_tolerance * PetscAbsReal(state->value);
+    PetscReal        size;
 
     if (state->body >= 0 && state->product <= limit && state->bar > limit)
-      PetscCall(GoalMarkPlace(run->vi->level, state->body, state->at, *marked));
+      PetscCall(LevelLocateAll(run->vi->level, state->body, state->at, *marked, &size));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -50,6 +50,7 @@ mortise_scene_test(patch3d CHECK nothing.py RANKS 1 ARGS -adapt 1e-3)
 # Curves, the axis, space, ties, files: the known number lies within its bar.
 mortise_scene_test(rings CHECK lame.py RANKS 1 LONG_RANKS 3 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -adapt 2e-3)
 mortise_scene_test(shells3d CHECK shells.py RANKS 1 ARGS -adapt 2e-2)
+mortise_scene_test(surface SCENE shells3d CHECK surface.py RANKS 1 3 ARGS -outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2 -order 1 -adapt 0.9)
 mortise_scene_test(shells CHECK shells.py RANKS 1 LONG_RANKS 3 ARGS -adapt 5e-2)
 mortise_scene_test(shells_1 SCENE shells CHECK shells.py RANKS 1 ARGS -order 1 -adapt 5e-2)
 # Reactions of sides that hold a stiff body apart from its load, against meshes of order 2.
