@@ -1,9 +1,9 @@
 /* frictionrows.c -- the forces of contact with friction on rigid motions (eq. 16.8).
 
    Forces at a node with friction are in the cone |r_t| <= coefficient r_n. In a plane its two edges generate
-   it. In space a pyramid around the cone takes its place: loads outside all pyramids have no equilibrium,
-   loads inside may have one. Tresca's limit gives no cone: here its tangents can carry any force, as ties do;
-   boundedfriction.c tests their bounds. */
+   it. In space a pyramid around the cone takes its place: loads outside all pyramids have no equilibrium.
+   Tresca's limit gives no cone: here its tangents can carry any force, as ties do. frictionlimits.c tests
+   loads inside with round cones and with bounds. */
 #include "base/compat.h"
 #include "problem/frictionlaw.h"
 #include "rigid/rigidimpl.h"
@@ -47,6 +47,7 @@ PetscErrorCode FrictionRowsUpdate(VI vi, Solvability s, PetscReal part)
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
   s->friction.num = 0;
+  s->part         = part;
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (s->tangent[r]) continue; // comes with its normal row
     FrictionRowsAddNode_Private(vi, s, part, r, FrictionLawFind(vi->friction, vi->row_dof[r]));

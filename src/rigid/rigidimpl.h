@@ -24,13 +24,13 @@ PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool
 PetscInt       FrictionRowsCountMost(VI vi);
 PetscErrorCode FrictionRowsDestroy(Solvability solvability);
 
-/* Searches, in chosen modes, a motion that contact does not resist and on which loads do more work than
-   friction at its bounds. Such a motion proves that there is no equilibrium; without one, there may be an
-   equilibrium or not. Collective.
+/* Searches a motion, in chosen modes, that no force of contact resists, with round cones in space. Loads do
+   more work on it than friction at its bounds. Such a motion proves that there is no equilibrium. Without
+   one, there may be an equilibrium or not. Collective.
    [in] phi - work of the loads / their sum [m];
    [in] balanced - rounding of phi; [in] take - chosen modes [m]; [out] q - the motion, if found [m] */
-PetscErrorCode BoundedFrictionFindMotion(VI vi, Solvability solvability, const PetscReal phi[], PetscReal balanced,
-                                         const PetscBool take[], PetscReal q[], PetscBool *found);
+PetscErrorCode FrictionLimitsFindMotion(VI vi, Solvability solvability, const PetscReal phi[], PetscReal balanced,
+                                        const PetscBool take[], PetscReal q[], PetscBool *found);
 
 /* Sets regularization, approach and start. Collective. */
 PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);

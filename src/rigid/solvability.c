@@ -33,8 +33,7 @@ static const PetscReal OUTSIDE = 1e-11;
 /* A motion that opens no contact by more than this part of its size is a free motion. On curved sides, rows
    that have taken over those of removed nodes are not more accurate. */
 static const PetscReal OPENING = 1e-3;
-/* Loads that this part of the coefficients does not hold are hardly held. With it pyramids are within the
-   cones. */
+/* Loads that this part of the coefficients does not hold are hardly held. */
 static const PetscReal LESS_FRICTION = 0.98;
 
 /* u of mode k. Not collective. [out] u - ghosted, ghosts not set */
@@ -439,9 +438,9 @@ static PetscErrorCode SolvabilitySetSlidingMotion_Private(VI vi, const PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets SOLVABLE_NOT where friction with given bounds, for which cones are as for ties, cannot hold the loads.
-   [in] phi - work / forces */
-static PetscErrorCode SolvabilityTryBounds_Private(VI vi, const PetscReal phi[], PetscReal balanced, Solvability s)
+/* Sets SOLVABLE_NOT where friction cannot hold the loads although the rows do: in space these are pyramids
+   around cones, and tangents with a bound count as ties. [in] phi - work / forces */
+static PetscErrorCode SolvabilityTryLimits_Private(VI vi, const PetscReal phi[], PetscReal balanced, Solvability s)
 {
   PetscBool *take, found = PETSC_FALSE;
   PetscReal *q;
@@ -452,7 +451,7 @@ static PetscErrorCode SolvabilityTryBounds_Private(VI vi, const PetscReal phi[],
   for (PetscInt all = 0; all < 2 && !found; all++) { // without rotations if possible
     SolvabilityMarkStraight_Private(vi, take);
     for (PetscInt k = 0; k < s->m && all; k++) take[k] = PETSC_TRUE;
-    PetscCall(BoundedFrictionFindMotion(vi, s, phi, balanced, take, q, &found));
+    PetscCall(FrictionLimitsFindMotion(vi, s, phi, balanced, take, q, &found));
   }
   if (found) {
     PetscCall(SceneMotionDestroy(&s->motion));
@@ -500,7 +499,7 @@ static PetscErrorCode SolvabilityDecide_Private(VI vi, Solvability s)
     s->status = dim ? SOLVABLE_FREE : SOLVABLE;
     PetscCall(SolvabilityFindMarginalMotion_Private(vi, &overlap, phi, s));
   }
-  if (s->status != SOLVABLE_NOT) PetscCall(SolvabilityTryBounds_Private(vi, phi, balanced, s));
+  if (s->status != SOLVABLE_NOT) PetscCall(SolvabilityTryLimits_Private(vi, phi, balanced, s));
   PetscCall(SolvabilitySetSlidingMotion_Private(vi, phi, balanced, s));
   PetscCall(PetscFree4(phi, rho, rho_overlap, kernel));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -69,6 +69,7 @@ struct _n_Solvability {
   PetscBool   *tangent;      /* rows of tangents [vi->num_rows] */
   ContactRows  friction;     /* generators of the cones of forces, which stand for the rows of nodal */
   PetscInt    *friction_row; /* of nodal, for each generator [friction.num] */
+  PetscReal    part;         /* of the coefficients in friction */
   PetscReal   *work;         /* phi: of the loads on the modes, in the user's units [m] */
   PetscReal    forces;       /* sum of |f|, to which work is compared */
   PetscReal    undecided;    /* part of the forces that meshes of curved surfaces cannot decide; 0 for flat contact */

@@ -33,6 +33,7 @@ mortise_scene_test(pivoted OWN_RUNS SCENE greco CHECK pivoted.py RANKS 1 LONG_RA
 mortise_scene_test(belt CHECK belt.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(incompressible SCENE greco CHECK incompressible.py ARGS -block_poisson 0.4999 -pc_type truncatedmg)
 mortise_scene_test(heated CHECK heated.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(twisted CHECK twisted.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(verge SCENE incline_solid CHECK verge.py ARGS -joint_friction 0.2237)
 mortise_scene_test(gripped CHECK gripped.py)
 mortise_scene_test(away CHECK away.py RANKS 1 LONG_RANKS 3)

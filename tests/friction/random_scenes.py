@@ -72,11 +72,11 @@ def judge_scene(run, seed, *more):
     ranks = 3 if seed % 4 == 3 and not more else 1
     done = Run(run.program, run.mpiexec, ranks, run.folder / f"scene{seed}{''.join(more)}", [*arguments(options), "-cross_check", "-quiet", *more])
     told = f"seed {seed}: {done.stderr}"
-    if slope is not None and slope > 1.05 * coefficient:
+    if slope is not None and slope > 1.000001 * coefficient:
         require(done.exit == 2, f"{told}exit {done.exit}, slope {slope}, friction {coefficient}")
         return "refused"
-    if done.exit == 2:  # it tips, or slides within the 2 percent of the pyramid
-        require(slope is not None and (slope > 0.95 * coefficient or slope > 0.9), f"{told}refused: slope {slope}, friction {coefficient}")
+    if done.exit == 2:  # it slides, or tips
+        require(slope is not None and (slope > coefficient or slope > 0.9), f"{told}refused: slope {slope}, friction {coefficient}")
         return "tips"
     require(done.exit == 0, f"{told}exit {done.exit}")
     solver = done.summary["solver"]
