@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""house.py -- checks of the text: house.py <layers|sizes|comments|options|warnings|tunables|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
+"""house.py -- checks of the text: house.py <layers|sizes|comments|contracts|options|warnings|tunables|theory|pages> <top of the tree>. Prints what is wrong, or nothing."""
 import fnmatch
 import pathlib
 import re
@@ -173,6 +173,26 @@ def check_comments(top):
             most = MAX_COMMENT if number in alone and not re.search(r"\*/ *\S", line) else MAX_LINE
             if len(line) > most:
                 yield f"{file}:{number}: {len(line)} columns, more than {most}"
+
+
+# --- contracts --------------------------------------------------------------------------------------------------------
+
+NO_MPI = {"kernel"}  # modules whose functions are never collective
+DECLARATION = re.compile(r"^PetscErrorCode +([A-Z]\w*)\(", re.MULTILINE)
+CONTRACT = re.compile(r"ollective|irst rank")
+
+
+def check_contracts(top):
+    """A declared function that can fail says, or the head of its header does, whether it is collective; of Destroy() its Create() says so."""
+    for path in sorted(top.glob("src/*/*.h")):
+        text = path.read_text()
+        comments = [(begin, comment) for begin, comment, _ in read_comments(text) if not text[text.rfind("\n", 0, begin) + 1:begin].strip()]
+        if path.parent.name in NO_MPI or CONTRACT.search(comments[0][1]):
+            continue
+        for match in DECLARATION.finditer(text):
+            above = [comment for begin, comment in comments if begin < match.start()][-1]
+            if not CONTRACT.search(above) and not match.group(1).endswith("Destroy"):
+                yield f"{path.relative_to(top)}: {match.group(1)}() does not say whether it is collective"
 
 
 # --- options ----------------------------------------------------------------------------------------------------------
@@ -353,7 +373,7 @@ def check_pages(top):
 
 
 def main():
-    checks = {"layers": check_layers, "sizes": check_sizes, "comments": check_comments, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables, "warns": check_warns,
+    checks = {"layers": check_layers, "sizes": check_sizes, "comments": check_comments, "contracts": check_contracts, "options": check_options, "warnings": check_warnings, "theory": check_theory, "tunables": check_tunables, "warns": check_warns,
               "pages": check_pages}
     wrong = list(checks[sys.argv[1]](pathlib.Path(sys.argv[2]).resolve()))
     print("\n".join(wrong))

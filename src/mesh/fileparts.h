@@ -52,9 +52,10 @@ PetscBool FileCellsHasSide(const Files *files, const FileCells *cells, PetscInt 
 /* The rank of each cell. Collective. [in] refine - how often the mesh will be; [out] part - [cells->num] */
 PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, const FileLimits *limits,
                              PetscInt refine, PetscInt part[]);
-/* Whether there is a library that partitions a graph on all ranks; partitions it. Collective.
-   [in] graph - edges of all cells, each on any one rank */
-PetscBool      GraphHasParallel(void);
+/* Whether there is a library that partitions a graph on all ranks. */
+PetscBool GraphHasParallel(void);
+/* Partitions the graph of all cells. Collective.
+   [in] graph - edges of all cells, each on any one rank; [out] part - [cells->num] */
 PetscErrorCode GraphCutParallel(Scene scene, const Files *files, const FileCells *cells, const CellGraph *graph,
                                 PetscInt part[]);
 

@@ -16,7 +16,8 @@ PetscErrorCode OutputCreate(MPI_Comm comm, Output *output);
 /* Adds <output>.h5 + .xdmf and/or .vtu. Adds the same for the nonmortar side of each pair, <output>_<pair>.h5
    and so on, and <output>_<pair>.csv. Collective. */
 PetscErrorCode OutputAddFields(Output output, Fields fields);
-/* The files of fields of a scene at several times. */
+/* The files of fields of a scene at several times. Not collective.
+   [out] series - without times; to be destroyed by OutputSeriesDestroy() */
 typedef struct _n_OutputSeries *OutputSeries;
 PetscErrorCode                  OutputSeriesCreate(Scene scene, OutputSeries *series);
 PetscErrorCode                  OutputSeriesDestroy(OutputSeries *series);

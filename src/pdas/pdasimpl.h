@@ -51,6 +51,7 @@ typedef struct {
   const char *failure;    /* reason of a failure, or NULL; the same on all ranks */
 } ActiveSolution;
 
+/* Not collective. [out] solution - without values; to be destroyed by ActiveSolutionDestroy() */
 PetscErrorCode ActiveSolutionCreate(const ActiveSet *set, ActiveSolution *solution);
 PetscErrorCode ActiveSolutionDestroy(ActiveSolution *solution);
 /* Whether the active set test (eq. 10.1) with tolerances leaves the set unchanged. Collective. */
@@ -108,16 +109,17 @@ struct _n_ActiveSolver {
   PetscErrorCode (*destroy)(ActiveSolver);
 };
 
-/* The solver at full size, with rows and columns of fixed unknowns emptied, by the user's KSP. [in] y -
-   initial guess */
+/* The solver at full size, with rows and columns of fixed unknowns emptied, by the user's KSP. Collective.
+   [in] set, A, b - borrowed; [in] y - initial guess; [in] rtol - required eta */
 PetscErrorCode FullSolverCreate(const ActiveSet *set, Mat A, Vec b, Vec y, KSP ksp, PetscReal rtol,
                                 ActiveSolver *solver);
 /* Bounded unknowns up to which a dense factorization per set (9e9 operations, half a second, and 216 MB) is
    cheaper than a sparse one. */
 enum { ACTIVE_MAX_SCHUR = 3000 };
 
-/* The solver by one factorization for all sets. [in] prefix - of MUMPS' options; [out] failure - reason, or
-   NULL */
+/* The solver by one factorization for all sets. Collective.
+   [in] set, A, b - borrowed; [in] prefix - of MUMPS' options; [in] rtol - required eta;
+   [out] failure - reason, or NULL */
 PetscErrorCode SchurSolverCreate(const ActiveSet *set, Mat A, Vec b, const char prefix[], PetscReal rtol,
                                  ActiveSolver *solver, const char **failure);
 /* Of such a solver: S and g of the reduced problem, and values of its unknowns to and from the first rank.

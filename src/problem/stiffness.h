@@ -25,7 +25,8 @@ PetscErrorCode StiffnessCreateOfMatrix(Mat A, Mat *K);
 PetscErrorCode StiffnessGetBlocks(Mat K, const SymmetricBlocks **blocks, GhostBlocks *others);
 /* factor K for products alone, of the same entries. Collective. [out] S - a shell, owned by the caller */
 PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S);
-/* The same with numbers in single precision, for a preconditioner. */
+/* The same with numbers in single precision, for a preconditioner. Collective.
+   [out] S - owned by the caller */
 PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S);
 /* Restricts products with S: from now on they are right in a region, and everywhere for vectors that are 0
    outside of it. Collective. [in] region - not 0 at all unknowns of its nodes, 0 at others; or NULL for

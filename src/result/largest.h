@@ -20,8 +20,9 @@ PetscErrorCode LargestReduce(MPI_Comm comm, PetscInt dim, PetscInt num, Largest 
    reference. */
 typedef struct _n_LargestBut *LargestBut;
 
-/* Without any value. [in] num_owners - of which each has a share of its own; [in] reference - the usual size
-   of values, above 0; [out] but */
+/* Without any value. Not collective.
+   [in] num_owners - of which each has a share of its own;
+   [in] reference - the usual size of values, above 0 */
 PetscErrorCode LargestButCreate(PetscInt num_owners, PetscReal reference, LargestBut *but);
 PetscErrorCode LargestButDestroy(LargestBut *but);
 /* Adds a value. Not collective. [in] weight - at least 0 */

@@ -20,10 +20,11 @@ typedef struct {
   PetscInt active;           /* nodes in contact, or tied */
 } PairSum;
 
-/* All NAN, for a pair nothing is known of; the sum of what is known. Collective. */
+/* All NAN: of a pair nothing is known of. */
 PairSum PairSumUnknown(void);
 /* Whether the partner ends within a facet around multiplier node a, and not where its own side does. */
-PetscBool      PairSumEndsPartner(const Pair pair, PetscInt a);
+PetscBool PairSumEndsPartner(const Pair pair, PetscInt a);
+/* The sums of pair p. Collective. [out] sum - the same on all ranks */
 PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum);
 
 #endif

@@ -17,8 +17,8 @@ Cone ContactRowsCone(VI vi, Solvability solvability, const ContactRows *rows);
 PetscErrorCode FrictionRowsCreate(VI vi, Solvability solvability);
 /* Sets friction and friction_row for a part of the present coefficients. Not collective. */
 PetscErrorCode FrictionRowsUpdate(VI vi, Solvability solvability, PetscReal part);
-/* Rows that resist rigid motions where contacts are pressed: tangents beside normals.
-   [in,out] pressed - [num_rows]; [out] rows - [num_rows][m] */
+/* Rows that resist rigid motions where contacts are pressed: tangents beside normals. Not collective.
+   [in,out] pressed - of normals, then of tangents too [num_rows]; [out] rows - [num_rows][m] */
 PetscErrorCode FrictionRowsTakePressed(VI vi, Solvability solvability, PetscBool pressed[], PetscReal rows[]);
 /* Upper bound of friction.num; without friction the number of rows. Not collective. */
 PetscInt       FrictionRowsCountMost(VI vi);

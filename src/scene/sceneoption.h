@@ -72,7 +72,7 @@ const char *OptionPlaceholderEnd(const char pattern[]);
 const OptionEntry *OptionTableMatch(OptionScope scope, const char owner[], const char option[]);
 
 /* name = pattern, or any text, with its placeholders filled in; owner and side may be NULL where it has none.
-   Blanks in the name of a side become underscores. */
+   Blanks in the name of a side become underscores. Not collective. */
 PetscErrorCode OptionExpand(const char pattern[], const char owner[], const char side[], char name[OPTION_MAX]);
 
 /* Looks up an option; reading counts as use. Not collective. [in] pattern - the name of a row of the table */
@@ -82,6 +82,7 @@ PetscErrorCode OptionShow(const char name[], const char value[], char shown[OPTI
 /* Raises the user error "<option> <value>: <sentence>". Collective. */
 PetscErrorCode OptionRaise(const Option *option, const char format[], ...) PETSC_ATTRIBUTE_FORMAT(2, 3);
 /* Raises a user error if the option is absent; a near misspelling that the user typed is named.
+   Collective.
    [in] why - what needs it, a clause; placeholders stand for the names of the option */
 PetscErrorCode OptionRequire(const Option *option, const char why[]);
 
@@ -91,18 +92,20 @@ PetscErrorCode OptionGetText(const Option *option, char **text); /* copied */
 PetscErrorCode OptionGetBool(const Option *option, PetscBool *value);
 PetscErrorCode OptionGetInts(const Option *option, PetscInt n, PetscInt smallest, PetscInt values[]);
 PetscErrorCode OptionGetReals(const Option *option, PetscInt n, PetscReal values[]);
-/* A number with one of the letters K, M, G, T behind it for powers of 1024, or none. */
+/* A number with one of the letters K, M, G, T behind it for powers of 1024, or none. Collective. */
 PetscErrorCode OptionGetBytes(const Option *option, PetscReal *bytes);
+/* Index of the word among the choices of the table. Collective. */
 PetscErrorCode OptionGetChoice(const Option *option, PetscInt *index);
-/* [out] e - owned by the caller; NULL when the option is absent */
+/* Formulas. Collective. [in] num_components - of the value; [in] allow_free - whether a component may be
+   the word `free`; [out] e - owned by the caller */
 PetscErrorCode OptionGetExpression(const Option *option, PetscInt num_components, PetscBool allow_free, Expression *e);
 
 /* Walks the items of a comma-separated list: cursor is NULL before the first item and after the last one.
-   An empty item is a user error. [out] item - without blanks around it */
+   An empty item is a user error. Collective. [out] item - without blanks around it */
 PetscErrorCode OptionNextItem(const Option *option, const char **cursor, char item[OPTION_MAX]);
 PetscInt       OptionCountItems(const Option *option);
 /* Index of a word among the option's choices; a user error with the choices and the nearest one if it is not
-   there.
+   there. Collective.
    [in] why - what the sentence says about the choices, in parentheses with a blank before, or "" */
 PetscErrorCode OptionMatchChoice(const Option *option, const char word[], const char why[], PetscInt *index);
 
