@@ -105,8 +105,8 @@ class LinePair(Pair):
             step, mean = self.scene.points[b] - self.scene.points[a], normal[a] + normal[b]
             ends = [-normal[a] @ step, normal[b] @ step]  # alike on a circle
             if min(ends) * max(ends) > 0 and min(map(abs, ends)) > FLAT * math.hypot(*step):
-                across = mean - (mean @ step) / (step @ step) * step
-                found[a, b] = unit(across) * 2 / (1 / ends[0] + 1 / ends[1]) / (2 + math.hypot(*mean))
+                across, rho = mean - (mean @ step) / (step @ step) * step, (ends[1] - ends[0]) / sum(ends)
+                found[a, b] = unit(across) * (1 - rho**4) * sum(ends) / 2 / (2 + math.hypot(*mean))
         return found
 
     def bulge(self, facet, s, n):
