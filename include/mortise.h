@@ -250,7 +250,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseSetUp(Mortise m);
 
    Input Parameters:
 +  m - the handle
--  t - 1 in the beginning
+-  t - a finite number; 1 in the beginning
 
    Notes:
    Formulas of the scene may name t. Where none does, t is a load factor: it multiplies loads, given
@@ -408,11 +408,15 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetSummary(Mortise m, const char **json);
 
    Input Parameters:
 +  m    - the handle, after MortiseSolve()
-.  path - keys of the summary, joined by '/': "pairs/joint/max_pressure", "probes/tip/displacement"
+.  path - keys of the summary, joined by '/', and places in lists, from 0: "pairs/joint/patches/0/force"
 -  num  - numbers wanted: 1, or the length of the array
 
    Output Parameter:
 .  values - array of shape [num]; NAN where the summary has null
+
+   Notes:
+   A path that the summary does not have, a text in its place, and another number of numbers are mistakes.
+   For true and false the number is 1 and 0.
 
    Level: intermediate
 .seealso: MortiseGetSummary()

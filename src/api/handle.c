@@ -182,11 +182,23 @@ PetscErrorCode MortiseSetUp(Mortise m)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MortiseSetTime(Mortise m, PetscReal t)
+static PetscErrorCode HandleSetTime_Private(Mortise m, PetscReal t)
 {
   PetscFunctionBeginUser;
+  if (PetscIsInfOrNanReal(t)) PetscCall(UserErrorRaise(m->comm, "MortiseSetTime(): t is not a finite number"));
   m->time    = t;
   m->several = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortiseSetTime(Mortise m, PetscReal t)
+{
+  PetscErrorCode error;
+
+  PetscFunctionBeginUser;
+  PetscCall(ApiBegin(m));
+  error = HandleSetTime_Private(m, t);
+  PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

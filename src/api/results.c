@@ -195,12 +195,32 @@ static const cJSON *ResultsFindItem_Private(const cJSON *item, const char path[]
 
   while (item && *path) {
     const size_t length = strcspn(path, "/");
+    char        *end;
+    long         place;
 
     snprintf(key, sizeof(key), "%.*s", (int)length, path);
-    item = cJSON_GetObjectItemCaseSensitive(item, key);
+    place = strtol(key, &end, 10);
+    if (!cJSON_IsArray(item)) item = cJSON_GetObjectItemCaseSensitive(item, key);
+    else item = *end || place < 0 || place >= cJSON_GetArraySize(item) ? NULL : cJSON_GetArrayItem(item, (int)place);
     path += length + (path[length] == '/');
   }
   return item;
+}
+
+static PetscBool ResultsIsNumber_Private(const cJSON *item)
+{
+  return (PetscBool)(cJSON_IsNumber(item) || cJSON_IsBool(item) || cJSON_IsNull(item));
+}
+
+/* Numbers of an item: 1, or those of a list; 0 where there is anything else. */
+static PetscInt ResultsCountNumbers_Private(const cJSON *item)
+{
+  const PetscInt size = cJSON_IsArray(item) ? cJSON_GetArraySize(item) : 0;
+
+  for (PetscInt i = 0; i < size; ++i) {
+    if (!ResultsIsNumber_Private(cJSON_GetArrayItem(item, (int)i))) return 0;
+  }
+  return ResultsIsNumber_Private(item) ? 1 : size;
 }
 
 static PetscErrorCode ResultsGetNumbers_Private(Mortise m, const char path[], PetscInt num, PetscReal values[])
@@ -213,11 +233,11 @@ static PetscErrorCode ResultsGetNumbers_Private(Mortise m, const char path[], Pe
   if (!m->numbers) m->numbers = cJSON_Parse(m->summary);
   item = ResultsFindItem_Private(m->numbers, path);
   if (!item) PetscCall(UserErrorRaise(m->comm, "MortiseGetNumbers(): the summary has nothing at %s", path));
-  size = cJSON_IsArray(item) ? cJSON_GetArraySize(item) : 1;
-  if (size != num || cJSON_IsObject(item))
+  size = ResultsCountNumbers_Private(item);
+  if (size != num)
     PetscCall(UserErrorRaise(
         m->comm, "MortiseGetNumbers(): %" PetscInt_FMT " numbers wanted at %s of the summary, there %s %" PetscInt_FMT,
-        num, path, size == 1 ? "is" : "are", cJSON_IsObject(item) ? 0 : size));
+        num, path, size == 1 ? "is" : "are", size));
   for (PetscInt i = 0; i < num; ++i) {
     const cJSON *one = cJSON_IsArray(item) ? cJSON_GetArrayItem(item, (int)i) : item;
 

@@ -2,7 +2,7 @@
    what may be read.
 
    An argument is written as its form. `text`, `file`, `name`, `side` are words, `n` is a whole number, `x` a
-   real number, `e` a number or an expression in x and y. Forms are repeated as often as the value has
+   real number, `e` a number or a formula. Forms are repeated as often as the value has
    components. The choices of an option are in the order of its enum. The table is the user's manual, so it
    has the common options of PETSc. */
 #include "scene/sceneoption.h"

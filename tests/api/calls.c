@@ -61,7 +61,7 @@ static PetscErrorCode CheckFields(Mortise m)
   Vec             u, x, p, g;
   DM              dm;
   PetscInt        dim, num, closed = 0, size_u, size_x;
-  PetscReal       largest, lowest;
+  PetscReal       largest, lowest, force[2];
   const PetscInt *status;
   PetscBool       plex;
 
@@ -87,6 +87,10 @@ static PetscErrorCode CheckFields(Mortise m)
   for (PetscInt i = 0; i < num; ++i) closed += status[i] == MORTISE_NODE_CONTACT;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &closed, 1, MPIU_INT, MPI_SUM, PETSC_COMM_WORLD));
   CHECK(closed == 6); // six nodes on the side of five facets
+  PetscCall(MortiseGetNumbers(m, "pairs/joint/patches/0/force", 2, force)); // the only one
+  CHECK_NEAR(force[1], SQUEEZE, TIGHT * SQUEEZE);
+  PetscCall(MortiseGetNumbers(m, "pairs/joint/patches/0/force/1", 1, force));
+  CHECK_NEAR(force[0], SQUEEZE, TIGHT * SQUEEZE);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

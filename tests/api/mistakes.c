@@ -116,6 +116,11 @@ static void CheckCalls(void)
   CHECK_MISTAKE(MortiseGetPressure(m, "jiont", &v), "jiont", "joint");
   CHECK_MISTAKE(MortiseGetNumbers(m, "pairs/joint/colour", 1, &number), "pairs/joint/colour", "nothing");
   CHECK_MISTAKE(MortiseGetNumbers(m, "pairs/joint/force", 1, &number), "pairs/joint/force", "2");
+  CHECK_MISTAKE(MortiseGetNumbers(m, "pairs/joint/force/2", 1, &number), "pairs/joint/force/2", "nothing");
+  CHECK_MISTAKE(MortiseGetNumbers(m, "pairs/joint/patches/0/centre/x", 1, &number), "centre/x", "nothing");
+  CHECK_MISTAKE(MortiseGetNumbers(m, "pairs/joint/patches", 1, &number), "pairs/joint/patches", "there are 0");
+  CHECK_MISTAKE(MortiseGetNumbers(m, "status", 1, &number), "status", "there are 0");
+  CHECK_MISTAKE(MortiseSetTime(m, NAN), "MortiseSetTime()", "finite");
   CHECK(!MortiseGetPairForce(m, "joint", force, NULL));
   CHECK_NEAR(force[1], 1e6, 1e-2);
   CHECK(!MortiseGetSummary(m, &text));
