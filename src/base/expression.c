@@ -241,6 +241,17 @@ static PetscErrorCode ExpressionCopyTrimmed_Private(const char text[], size_t le
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a comma stands between digits that can be one number: not behind an exponent. */
+static PetscBool ExpressionIsDecimalComma_Private(const char text[], const char *comma)
+{
+  const char *c = comma;
+
+  if (comma == text || !isdigit((unsigned char)comma[-1]) || !isdigit((unsigned char)comma[1])) return PETSC_FALSE;
+  while (c > text && isdigit((unsigned char)c[-1])) c--;
+  if (c > text && (c[-1] == '-' || c[-1] == '+')) c--;
+  return (PetscBool)(c - 1 <= text || tolower((unsigned char)c[-1]) != 'e' || !isdigit((unsigned char)c[-2]));
+}
+
 void ExpressionSuggestPoint(const char text[], PetscInt wanted, char words[], size_t len)
 {
   const PetscInt count = ExpressionCountComponents_Private(text);
@@ -248,8 +259,7 @@ void ExpressionSuggestPoint(const char text[], PetscInt wanted, char words[], si
 
   words[0] = '\0';
   if (count <= wanted || count > 2 * wanted) return;
-  while (comma && (comma == text || !isdigit((unsigned char)comma[-1]) || !isdigit((unsigned char)comma[1])))
-    comma = strchr(comma + 1, ',');
+  while (comma && !ExpressionIsDecimalComma_Private(text, comma)) comma = strchr(comma + 1, ',');
   if (!comma) return;
   snprintf(words, len, "; the decimal mark is a point, not a comma");
   if (wanted == 1 && strlen(text) < len / 2 && !strchr(text, '.') && !text[strspn(text, "+-,0123456789eE")])

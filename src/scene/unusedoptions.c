@@ -212,18 +212,74 @@ static const char *UnusedFindNameless_Private(const Leftover *left)
   return NULL;
 }
 
+/* Whether a name is one that other options left over begin with, too, or unlike all names of the scene: else it
+   is a misspelt one. */
+static PetscErrorCode UnusedIsName_Private(Scene scene, const char prefix[], const char name[], PetscBool *is)
+{
+  PetscInt    num, same = 0;
+  char      **names, **values;
+  const char *owner;
+  OptionScope scope;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscOptionsLeftGet(NULL, &num, &names, &values));
+  for (PetscInt i = 0; i < num; i++) {
+    const char *rest = names[i] + strlen(prefix);
+
+    if (strncasecmp(names[i], prefix, strlen(prefix)) != 0 || strncasecmp(rest, name, strlen(name)) != 0) continue;
+    same += rest[strlen(name)] == '_';
+  }
+  PetscCall(PetscOptionsLeftRestore(NULL, &num, &names, &values));
+  *is = PETSC_TRUE;
+  for (PetscInt i = 0; same < 2 && *is && (owner = SceneNamesGet(scene, i, &scope)); i++)
+    *is = (PetscBool)!UserErrorNearest(name, 1, &owner);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The list that lacks the name of an option, which is one but for that: "-bodies"; NULL if it is none.
+   [out] name - [OPTION_MAX] */
+static PetscErrorCode UnusedFindUnlisted_Private(Scene scene, const Leftover *left, const char **list, char name[])
+{
+  static const struct {
+    OptionScope scope;
+    const char *prefix, *list;
+  } kinds[]    = {{SCOPE_PROBE, "probe_", "-probes"},
+                  {SCOPE_PATH, "path_", "-paths"},
+                  {SCOPE_BODY, "", "-bodies"},
+                  {SCOPE_PAIR, "", "-pairs"}};
+  PetscBool is = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  *list = NULL;
+  if (left->owner || UnusedMayBeRead_Private(left)) PetscFunctionReturn(PETSC_SUCCESS);
+  for (size_t k = 0; k < PETSC_STATIC_ARRAY_LENGTH(kinds); k++) {
+    const char *begin = left->name + 1 + strlen(kinds[k].prefix);
+
+    if (strncasecmp(left->name + 1, kinds[k].prefix, strlen(kinds[k].prefix)) != 0) continue;
+    for (const char *end = strchr(begin, '_'); end; end = strchr(end + 1, '_')) {
+      PetscCall(PetscSNPrintf(name, OPTION_MAX, "%.*s", (int)(end - begin), begin));
+      if (!OptionTableMatch(kinds[k].scope, name, left->name)) continue;
+      PetscCall(UnusedIsName_Private(scene, kinds[k].prefix, name, &is));
+      if (is) *list = kinds[k].list;
+      PetscFunctionReturn(PETSC_SUCCESS);
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The sentence about one unused option; whether it could suggest another one. */
 static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, char sentence[OPTION_SENTENCE],
                                             PetscBool *suggested)
 {
   const char *side       = left->entry ? strstr(left->entry->name, "_<side>") : NULL;
   const char *unmodelled = UnmodelledFind(left->name + 1 + (left->owner ? strlen(left->owner) + 1 : 0));
-  const char *nameless   = UnusedFindNameless_Private(left);
+  const char *nameless   = UnusedFindNameless_Private(left), *list;
   char        near[OPTION_MAX], shown[OPTION_MAX], text[OPTION_MAX];
 
   PetscFunctionBeginUser;
   *suggested = PETSC_FALSE;
   PetscCall(OptionShow(left->name, left->value, shown));
+  PetscCall(UnusedFindUnlisted_Private(scene, left, &list, text));
   if (side) {
     PetscCall(PetscSNPrintf(near, sizeof(near), "%.*s", (int)(side - left->entry->name), left->entry->name));
     PetscCall(OptionExpand(near, left->owner, NULL, text));
@@ -239,6 +295,8 @@ static PetscErrorCode UnusedExplain_Private(Scene scene, const Leftover *left, c
   } else if (nameless) {
     *suggested = PETSC_TRUE;
     PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: the option needs a name before it: %s", shown, nameless));
+  } else if (list) { // after all misspelt options: of these -bodies may be one
+    PetscCall(PetscSNPrintf(sentence, OPTION_SENTENCE, "%s: %s does not list %s", shown, list, text));
   } else {
     sentence[0] = '\0';
     PetscCall(UnusedExplainRegion_Private(scene, left, shown, sentence));
