@@ -412,11 +412,7 @@ MORTISE_PUBLIC PetscErrorCode MortiseGetSummary(Mortise m, const char **json);
 -  num  - numbers wanted: 1, or the length of the array
 
    Output Parameter:
-.  values - array of shape [num]; NAN where the summary has null
-
-   Notes:
-   A path that the summary does not have, a text in its place, and another number of numbers are mistakes.
-   For true and false the number is 1 and 0.
+.  values - array of shape [num]; NAN where the summary has null, 1 and 0 for true and false
 
    Level: intermediate
 .seealso: MortiseGetSummary()

@@ -200,8 +200,10 @@ static const cJSON *ResultsFindItem_Private(const cJSON *item, const char path[]
 
     snprintf(key, sizeof(key), "%.*s", (int)length, path);
     place = strtol(key, &end, 10);
-    if (!cJSON_IsArray(item)) item = cJSON_GetObjectItemCaseSensitive(item, key);
-    else item = *end || place < 0 || place >= cJSON_GetArraySize(item) ? NULL : cJSON_GetArrayItem(item, (int)place);
+    if (!cJSON_IsArray(item))
+      item = cJSON_GetObjectItemCaseSensitive(item, key);
+    else
+      item = *end || place < 0 || place >= cJSON_GetArraySize(item) ? NULL : cJSON_GetArrayItem(item, (int)place);
     path += length + (path[length] == '/');
   }
   return item;

@@ -212,8 +212,8 @@ static const char *UnusedFindNameless_Private(const Leftover *left)
   return NULL;
 }
 
-/* Whether a name is one that other options left over begin with, too, or unlike all names of the scene: else it
-   is a misspelt one. */
+/* Whether a name is one that other options left over begin with, too, or unlike all names of the scene: else
+   it is a misspelt one. */
 static PetscErrorCode UnusedIsName_Private(Scene scene, const char prefix[], const char name[], PetscBool *is)
 {
   PetscInt    num, same = 0;

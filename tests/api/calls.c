@@ -86,7 +86,7 @@ static PetscErrorCode CheckFields(Mortise m)
   CHECK_NEAR(largest, 1, TIGHT);
   for (PetscInt i = 0; i < num; ++i) closed += status[i] == MORTISE_NODE_CONTACT;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &closed, 1, MPIU_INT, MPI_SUM, PETSC_COMM_WORLD));
-  CHECK(closed == 6); // six nodes on the side of five facets
+  CHECK(closed == 6);                                                       // six nodes on the side of five facets
   PetscCall(MortiseGetNumbers(m, "pairs/joint/patches/0/force", 2, force)); // the only one
   CHECK_NEAR(force[1], SQUEEZE, TIGHT * SQUEEZE);
   PetscCall(MortiseGetNumbers(m, "pairs/joint/patches/0/force/1", 1, force));
