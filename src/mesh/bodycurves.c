@@ -15,7 +15,6 @@ PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves)
 {
   Scene    scene = mesh->scene, own;
   PetscInt num   = 0;
-  DM       dm;
 
   PetscFunctionBeginUser;
   for (PetscInt b = 0; b < scene->num_bodies; b++) num += scene->bodies[b].straightened;
@@ -28,11 +27,9 @@ PetscErrorCode MeshShapeCreate(Mesh mesh, const Curves *curves)
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     if (scene->bodies[b].straightened) own->bodies[b].order = 2;
   }
-  PetscCall(DMClone(MeshFinest(mesh)->dm, &dm)); // a DM has one layout of nodes
-  PetscCall(LevelCreateTables(own, dm, SceneMaxOrder(own), &mesh->shape->level));
+  PetscCall(LevelCreateOnCells(own, MeshFinest(mesh), &mesh->shape->level));
   PetscCall(LevelSetCoords(&mesh->shape->level, curves));
   PetscCall(LevelBeginArcs(&mesh->shape->level));
-  PetscCall(DMDestroy(&dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

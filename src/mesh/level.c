@@ -33,6 +33,20 @@ PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode LevelCreateOnCells(Scene scene, const Level *level, Level *other)
+{
+  DM dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMClone(level->dm, &dm)); // a DM has one layout of nodes
+  PetscCall(LevelBegin_Private(scene, dm, other));
+  PetscCall(PetscArraycpy(other->cell_material, level->cell_material, level->num_cells));
+  PetscCall(PetscArraycpy(other->cell_body, level->cell_body, level->num_cells));
+  PetscCall(LevelSetNodes(other, SceneMaxOrder(scene)));
+  PetscCall(DMDestroy(&dm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level)
 {
   PetscFunctionBeginUser;

@@ -219,6 +219,8 @@ PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, 
 PetscInt SceneMaxOrder(Scene scene);
 /* Tables of one DM in its order of cells, with nodes up to an order, without positions. Collective. */
 PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
+/* The same on the cells of a level that has its tables. [in] scene - may have other orders of bodies */
+PetscErrorCode LevelCreateOnCells(Scene scene, const Level *level, Level *other);
 /* Parts of LevelCreateTables(): cell_material and cell_body, from the label; */
 PetscErrorCode LevelSetCellMaterials(Level *level);
 /* or, for a refined level, from where its cells come from; [in] refinement - from coarse to fine */
