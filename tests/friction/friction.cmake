@@ -31,6 +31,8 @@ mortise_scene_test(greco_iterates LONG SCENE greco CHECK iterates.py ARGS -dm_re
 mortise_scene_test(accelerated SCENE greco CHECK accelerated.py RANKS 1 3 ARGS -floor_friction 3 -cross_check)
 mortise_scene_test(pivoted OWN_RUNS SCENE greco CHECK pivoted.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(belt CHECK belt.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(strip CHECK strip.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(clutch CHECK clutch.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(incompressible SCENE greco CHECK incompressible.py ARGS -block_poisson 0.4999 -pc_type truncatedmg)
 mortise_scene_test(heated CHECK heated.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(twisted CHECK twisted.py RANKS 1 LONG_RANKS 3)
