@@ -10,10 +10,6 @@ enum {
   MAX_RECURSIVE = 8   /* METIS's own advice: recursive bisection is better up to eight parts */
 };
 
-/* Permitted load of a part over its share: cells, contact. Few cells cannot share contact evenly, and contact
-   is less work. */
-static const real_t TOLERANCE[PARTITION_MAX_WEIGHTS] = {1.02F, 1.1F};
-
 PetscErrorCode CellGraphDestroy(CellGraph *graph)
 {
   PetscFunctionBeginUser;
@@ -187,7 +183,7 @@ static PetscErrorCode EdgesCut_Private(const CellGraph *edges, PetscInt num_cell
   PetscCall(EdgesToRows_Private(edges, num_cells, start, adjacent, weight));
   for (PetscInt i = 0; i < num_cells * shares->num; i++) load[i] = (idx_t)shares->load[i];
   for (PetscInt i = 0; i < shares->num_parts * shares->num; i++) target[i] = (real_t)shares->target[i];
-  for (PetscInt i = 0; i < shares->num; i++) tolerance[i] = TOLERANCE[i];
+  for (PetscInt i = 0; i < shares->num; i++) tolerance[i] = (real_t)shares->tolerance[i];
   if (parts <= MAX_RECURSIVE) {
     status = METIS_PartGraphRecursive(&n, &constraints, start, adjacent, load, NULL, weight, &parts, target, tolerance,
                                       NULL, &cut, answer);

@@ -310,10 +310,11 @@ PetscErrorCode MeshShapeDestroy(Mesh mesh);
 /* The loads that a partition balances: the work of unknowns, and that of contact. */
 enum { PARTITION_MAX_WEIGHTS = 2 };
 typedef struct {
-  PetscInt   num, num_parts; /* 1, unless nonmortar sides have enough facets */
-  PetscReal  bricks;         /* mean number of bricks of a cell */
-  PetscInt  *load;           /* of every cell, nodes in twelfths [num_cells][num] */
-  PetscReal *target;         /* share of each part in the sum [num_parts][num] */
+  PetscInt   num, num_parts;                   /* 1, unless nonmortar sides have enough facets */
+  PetscReal  bricks;                           /* mean number of bricks of a cell */
+  PetscInt  *load;                             /* of every cell, nodes in twelfths [num_cells][num] */
+  PetscReal *target;                           /* share of each part in the sum [num_parts][num] */
+  PetscReal  tolerance[PARTITION_MAX_WEIGHTS]; /* permitted load of a part over its share */
 } PartitionWeights;
 
 /* Weighted edges of the graph of cells, each once: first those across facets. */

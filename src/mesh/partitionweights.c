@@ -7,7 +7,14 @@
 #include "mesh/meshimpl.h"
 #include "base/compat.h"
 
-enum { MIN_FACETS_A_PART = 3 }; /* of nonmortar sides: with fewer, contact is not balanced */
+/* Facets of nonmortar sides per part: with fewer, contact is not balanced. In the plane contact is little
+   work, and more messages are not worth it. */
+enum { MIN_FACETS_A_PART = 3, MIN_FACETS_A_PART_SOLID = 1 };
+/* Permitted load of a part over its share: cells, contact. */
+static const PetscReal TOLERANCE[PARTITION_MAX_WEIGHTS] = {1.02, 1.1};
+/* Up to three facets per part, one more than the whole ones of a share is permitted, in spite of rounding.
+   METIS gives parts very unequal cells where it cannot reach a tolerance. */
+static const PetscReal ONE_MORE = 1.01;
 
 /* This part of the work is proportional to nodes (the solver), the rest to cells (mesh, assembly). */
 static const PetscReal BY_NODES = 2.0 / 3;
@@ -33,12 +40,18 @@ PetscErrorCode PartitionWeightsCreate(Scene scene, const Level *level, const Cel
                                       PartitionWeights *shares)
 {
   const PetscInt *contact = graph->contact, *bricks = graph->bricks;
+  const PetscInt  least  = level->dim == 3 ? MIN_FACETS_A_PART_SOLID : MIN_FACETS_A_PART;
   PetscInt        facets = 0, all = 0;
+  PetscReal       mean;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; c++) facets += contact[c];
-  shares->num       = facets >= MIN_FACETS_A_PART * num_parts ? PARTITION_MAX_WEIGHTS : 1;
+  shares->num       = facets >= least * num_parts ? PARTITION_MAX_WEIGHTS : 1;
   shares->num_parts = num_parts;
+  for (PetscInt i = 0; i < shares->num; i++) shares->tolerance[i] = TOLERANCE[i];
+  mean = (PetscReal)facets / (PetscReal)num_parts;
+  if (shares->num > 1 && mean < MIN_FACETS_A_PART)
+    shares->tolerance[1] = PetscMax(shares->tolerance[1], ONE_MORE * (PetscFloorReal(mean) + 1) / mean);
   for (PetscInt c = 0; c < level->num_cells; c++) all += bricks ? bricks[c] : 1;
   shares->bricks = (PetscReal)all / (PetscReal)PetscMax(level->num_cells, 1);
   PetscCall(PetscMalloc2(level->num_cells * shares->num, &shares->load, num_parts * shares->num, &shares->target));

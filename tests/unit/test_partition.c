@@ -139,6 +139,35 @@ static void TestSolidContactEdges(void)
   TestSceneFree(&t);
 }
 
+/* Cubes with 25 facets in contact, on up to 16 parts: none has two facets more than others, or a quarter more cells than the mean. */
+static void TestFewFacets(PetscInt num_parts)
+{
+  PetscInt  facets[MAX_PARTS] = {0}, cells[MAX_PARTS] = {0}, part[125 + 64];
+  TestScene t;
+  Mesh      mesh;
+  Level    *level;
+  Facets    upper;
+
+  SolidSceneInit(&t);
+  t.scene.comm = PETSC_COMM_SELF;
+  SolidSceneAddBox(&t, "upper", (PetscInt[]){5, 5, 5}, (PetscReal[]){0, 0, 0}, (PetscReal[]){1, 1, 1});
+  SolidSceneAddBox(&t, "lower", (PetscInt[]){4, 4, 4}, (PetscReal[]){0, 0, -1}, (PetscReal[]){1, 1, 0});
+  TestSceneAddPair(&t, "joint", 0, "bottom", 1, "top");
+  mesh  = TestSceneMesh(&t);
+  level = MeshFinest(mesh);
+  CHECK(!PartitionCompute(&t.scene, level, 3, 5, NULL, num_parts, part));
+  CHECK(!LevelGetFacets(level, &t.scene, 0, "bottom", &upper));
+  for (PetscInt f = 0; f < upper.num; ++f) ++facets[part[upper.cell[f]]];
+  for (PetscInt c = 0; c < level->num_cells; ++c) ++cells[part[c]];
+  for (PetscInt p = 0; p < num_parts; ++p) {
+    CHECK(facets[p] <= 25 / num_parts + 1);
+    CHECK(4 * num_parts * cells[p] <= 5 * level->num_cells);
+  }
+  CHECK(!FacetsDestroy(&upper));
+  CHECK(!MeshDestroy(&mesh));
+  TestSceneFree(&t);
+}
+
 /* Fewer cells than parts: every part has at most one. */
 static void TestTiny(void)
 {
@@ -317,6 +346,7 @@ int main(int argc, char **argv)
   CHECK(!UserErrorInitialize());
   for (PetscInt parts = 2; parts <= 12; parts += parts < 4 ? 1 : 4) TestContactEdges(parts); // both of METIS's methods
   TestSolidContactEdges();
+  for (PetscInt parts = 4; parts <= MAX_PARTS; parts += 4) TestFewFacets(parts);
   TestShared(1);
   TestShared(0.3);
   TestNodes(2, PETSC_FALSE);
