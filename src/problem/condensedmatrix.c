@@ -96,12 +96,80 @@ PetscErrorCode CondensedMatrixCreateShell(VI vi, Vec regularization, Mat *A)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A row of factor K + Z. [out] columns - ascending; columns, values - optional, may be NULL [*num] */
+static PetscErrorCode CondensedMatrixGetRow_Private(Mat K, PetscReal factor, Mat Z, PetscInt row, PetscInt *num,
+                                                    PetscInt columns[], PetscScalar values[])
+{
+  const Mat          matrix[2] = {K, Z};
+  PetscInt           length[2] = {0, 0}, at[2] = {0, 0};
+  const PetscInt    *c[2];
+  const PetscScalar *v[2];
+
+  PetscFunctionBeginUser;
+  for (PetscInt m = 0; m < 2 && matrix[m]; m++)
+    PetscCall(MatGetRow(matrix[m], row, &length[m], &c[m], values ? &v[m] : NULL));
+  for (*num = 0; at[0] < length[0] || at[1] < length[1]; ++*num) {
+    const PetscInt  first = at[0] < length[0] ? c[0][at[0]] : PETSC_MAX_INT;
+    const PetscInt  other = at[1] < length[1] ? c[1][at[1]] : PETSC_MAX_INT;
+    const PetscBool mine = (PetscBool)(first <= other), its = (PetscBool)(other <= first);
+
+    if (columns) columns[*num] = PetscMin(first, other);
+    if (values) values[*num] = (mine ? factor * v[0][at[0]] : 0) + (its ? v[1][at[1]] : 0);
+    at[0] += mine;
+    at[1] += its;
+  }
+  for (PetscInt m = 0; m < 2 && matrix[m]; m++)
+    PetscCall(MatRestoreRow(matrix[m], row, &length[m], &c[m], values ? &v[m] : NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* factor K + Z on one process. MatConvert() and MatAXPY() look up each entry: 15 % of a run of `cam`, against
+   6 % here. */
+static PetscErrorCode CondensedMatrixSum_Private(Mat K, PetscReal factor, Mat Z, Mat *A)
+{
+  PetscInt     n, bs, num, all = 0, *room, *columns;
+  PetscScalar *values;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(K, &n, NULL));
+  PetscCall(MatGetBlockSize(K, &bs));
+  PetscCall(PetscMalloc1(n, &room));
+  for (PetscInt row = 0; row < n; row++) {
+    PetscCall(CondensedMatrixGetRow_Private(K, factor, Z, row, &room[row], NULL, NULL));
+    all += room[row];
+  }
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)K), A));
+  PetscCall(MatSetSizes(*A, n, n, n, n));
+  PetscCall(MatSetBlockSize(*A, bs));
+  PetscCall(MatSetType(*A, MATSEQAIJ));
+  PetscCall(MatSeqAIJSetPreallocation(*A, 0, room));
+  PetscCall(PetscMalloc1(all, &columns));
+  PetscCall(MatSeqAIJGetArrayWrite(*A, &values));
+  all = 0;
+  for (PetscInt row = 0; row < n; row++, all += num)
+    PetscCall(CondensedMatrixGetRow_Private(K, factor, Z, row, &num, &columns[all], &values[all]));
+  PetscCall(MatSeqAIJRestoreArrayWrite(*A, &values));
+  PetscCall(MatSeqAIJSetColumnIndices(*A, columns));
+  PetscCall(MatAssemblyBegin(*A, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*A, MAT_FINAL_ASSEMBLY));
+  PetscCall(PetscFree(columns));
+  PetscCall(PetscFree(room));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode CondensedMatrixAssemble(Mat K, PetscReal stiffness, Mat Z, PetscInt num, const PetscInt fixed[], Mat *A)
 {
+  PetscMPIInt size;
+
   PetscFunctionBeginUser;
-  PetscCall(MatConvert(K, MATAIJ, MAT_INITIAL_MATRIX, A));
-  PetscCall(MatScale(*A, 1 / stiffness));
-  if (Z) PetscCall(MatAXPY(*A, 1, Z, DIFFERENT_NONZERO_PATTERN));
+  PetscCallMPI(MPI_Comm_size(PetscObjectComm((PetscObject)K), &size));
+  if (size == 1) {
+    PetscCall(CondensedMatrixSum_Private(K, 1 / stiffness, Z, A));
+  } else {
+    PetscCall(MatConvert(K, MATAIJ, MAT_INITIAL_MATRIX, A));
+    PetscCall(MatScale(*A, 1 / stiffness));
+    if (Z) PetscCall(MatAXPY(*A, 1, Z, DIFFERENT_NONZERO_PATTERN));
+  }
   PetscCall(MatZeroRowsColumns(*A, num, fixed, 1, NULL, NULL));
   PetscCall(MatSetOption(*A, MAT_SPD, PETSC_TRUE));
   PetscFunctionReturn(PETSC_SUCCESS);
