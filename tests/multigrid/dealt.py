@@ -1,4 +1,4 @@
-"""Ranks may lose all bundles that they smoothed when the active set changes."""
+"""Ranks may lose all blocks that they smoothed when the active set changes."""
 from judge import near
 
 

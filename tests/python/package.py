@@ -80,6 +80,7 @@ def test_tables(folder):
     (folder / "torn_a.csv").write_text("x,y,pressure,gap,status\n0,1\n")
     refused(mortise.ResultError, mortise.Results(str(folder / "torn")).table, "a")
     same("grid", mortise.grid(order=(1, 2), level=(0, 1))[1:3], [{"order": 1, "level": 1}, {"order": 2, "level": 0}])
+    same("grid with a text", mortise.grid(model="plane_stress", order=(1, 2))[1], {"model": "plane_stress", "order": 2})
 
 
 def test_plain(arguments):
@@ -175,6 +176,7 @@ def test_failures(arguments):
     slow = refused(mortise.RunTimeoutError, mortise.run, TWO_PLATES, {"dm_refine": 4}, output=arguments.scratch / "slow", ranks=2, timeout=1)
     require("1 seconds" in slow.sentence and time.monotonic() - begin < 60, slow.sentence)
     same("files of what was ended", sorted(path.name for path in arguments.scratch.glob("slow*")), [])
+    require("ranks=0" in str(refused(ValueError, mortise.run, PATCH, ranks=0)), "no ranks")
     require("cannot be started" in refused(mortise.ProgramError, mortise.run, PATCH, program=str(arguments.scratch / "no_such")).sentence, "no program")
     (arguments.scratch / "broken").write_text("#!/bin/sh\necho PETSC ERROR: out of memory >&2\nexit 4\n")
     (arguments.scratch / "broken").chmod(0o755)

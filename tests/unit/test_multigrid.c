@@ -368,7 +368,7 @@ static void TestCoarse(VI vi)
   CHECK(!MatDestroy(&P));
 }
 
-/* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the rungs. */
+/* A^ of every level by products of matrices, A_(l-1) + P'(M A^_l M - A_l)P; products with them against those of the levels. */
 static void CompareRungs(MeshLevels levels, MGLevel mg[])
 {
   const Hierarchy h = levels->hierarchy;

@@ -142,6 +142,8 @@ def stamp(path: str) -> tuple[int, int] | None:
 def run_quietly(scene: str | os.PathLike[str] | Mapping[str, Any], overrides: Mapping[str, Any] | None, output: str | os.PathLike[str] | None,
                 ranks: int, program: str | None, limits: Limits) -> Run:
     """One run, whatever its exit code. See run()."""
+    if ranks < 1:
+        raise ValueError(f"ranks={ranks}: a run needs at least one")
     options = dict(scene) if isinstance(scene, Mapping) else {"options_file": os.fspath(scene)}
     options.update(overrides or {})
     prefix = options.pop("output", None) if output is None else os.fspath(output)

@@ -89,7 +89,7 @@ def read_table(path: str) -> Array:
             names, *rows = csv.reader(line for line in file if not line.startswith("#"))
         columns = [column_of(name, [row[i] for row in rows]) for i, name in enumerate(names)]
     except OSError as error:
-        raise ResultError(f"cannot read {path} ({error.strerror}); was the run finished?") from None
+        raise ResultError(f"cannot read {path} ({error.strerror}); was the run finished, and does its scene have that table?") from None
     except (ValueError, IndexError):
         raise ResultError(f"{path} is not a table of mortise") from None
     names = [name.strip() for name in names]

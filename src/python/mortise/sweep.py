@@ -45,9 +45,11 @@ class Rows(list[dict[str, Any]]):
             writer.writerows(self)
 
 
-def grid(**values: Iterable[Any]) -> list[dict[str, Any]]:
-    """All combinations of the values of options, the last one varying fastest: grid(order=(1, 2), dm_refine=range(3)) has six."""
-    return [dict(zip(values, point)) for point in itertools.product(*values.values())]
+def grid(**values: Any) -> list[dict[str, Any]]:
+    """All combinations of the values of options, the last one varying fastest: grid(order=(1, 2), dm_refine=range(3)) has six. A number or a
+    text is the same in all of them."""
+    lists = [value if isinstance(value, Iterable) and not isinstance(value, str) else [value] for value in values.values()]
+    return [dict(zip(values, point)) for point in itertools.product(*lists)]
 
 
 def value_of(column: Column, run: Run) -> Any:

@@ -1,4 +1,4 @@
-/* test_bundles.c -- connected components of graphs that ranks cut; lines and planes of nodes in a box of long cells. */
+/* test_blocks.c -- connected components of graphs that ranks cut; lines and planes of nodes in a box of long cells. */
 #include "base/compat.h"
 #include "multigrid/blocksmoother.h"
 #include "multigrid/graphcomponents.h"
@@ -63,7 +63,7 @@ static void TestStrands(void)
 
 enum { ALONG = 6, MAX_NODES = (ALONG + 1) * (ALONG + 1) * (ALONG + 1) };
 
-/* A box of cells of this size. [in] axes - those that bundles lead along; none where cells are not long */
+/* A box of cells of this size. [in] axes - those that blocks lead along; none where cells are not long */
 static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool axes[3])
 {
   const PetscInt  faces[] = {ALONG, ALONG, ALONG};
@@ -86,7 +86,7 @@ static void TestBox(PetscBool simplex, const PetscReal size[3], const PetscBool 
   CHECK(!BlockSmootherLabel(&op, &ghosts, PETSC_FALSE, label, &found, &round));
   CHECK(found == (PetscBool)(axes[0] || axes[1] || axes[2]));
   CHECK(round == (PetscBool)!found);
-  /* a bundle is what agrees in all positions but those along its axes */
+  /* a block is what agrees in all positions but those along its axes */
   for (PetscInt i = 0; found && i < ghosts.n; ++i) {
     code[i] = 0;
     for (PetscInt k = 0; k < 3; ++k)
