@@ -29,6 +29,20 @@ static PetscErrorCode OutputGetPath_Private(Scene scene, const char pair[], cons
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Raises a user error for an output that names a folder: its files would be hidden ones. Collective. */
+static PetscErrorCode OutputCheckName_Private(Scene scene)
+{
+  const char *slash = strrchr(scene->output, '/'), *name = slash ? slash + 1 : scene->output;
+
+  PetscFunctionBeginUser;
+  if (!name[0] || !strcmp(name, ".") || !strcmp(name, "..")) {
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-output \"%s\" names no file; give the beginning of a name, such as %s%sresult",
+                             scene->output, scene->output, name[0] ? "/" : ""));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode OutputCheck(Scene scene)
 {
   char path[PETSC_MAX_PATH_LEN];
@@ -38,13 +52,9 @@ PetscErrorCode OutputCheck(Scene scene)
     const char *const files[] = {".json", scene->formats & OUTPUT_XDMF ? ".h5" : NULL,
                                  scene->formats & OUTPUT_XDMF ? ".xdmf" : NULL,
                                  scene->formats & OUTPUT_VTU ? ".vtu" : NULL, ".csv"};
-    const size_t      num = sizeof(files) / sizeof(files[0]), len = strlen(scene->output);
+    const size_t      num     = sizeof(files) / sizeof(files[0]);
 
-    if (len == 0 || scene->output[len - 1] == '/') {
-      PetscCall(UserErrorRaise(scene->comm,
-                               "-output \"%s\" names no file; give the beginning of a name, such as %sresult",
-                               scene->output, scene->output));
-    }
+    PetscCall(OutputCheckName_Private(scene));
     for (PetscInt p = -1; p < scene->num_pairs; p++) { /* the bodies have no table, a pair has no summary */
       for (size_t i = p < 0 ? 0 : 1; i < (p < 0 ? num - 1 : num); i++) {
         if (!files[i]) continue;
