@@ -67,11 +67,20 @@ PetscErrorCode ActiveSetCreateWithTangents(Vec upper, Mat A, const FrictionLaw *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ActiveSetSetAreas(ActiveSet *set, Vec areas)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(set->n, &set->area));
+  PetscCall(ActiveSetGather(set, areas, set->area));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ActiveSetDestroy(ActiveSet *set)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscFree3(set->dof, set->upper, set->diag));
   PetscCall(PetscFree(set->active));
+  PetscCall(PetscFree(set->area));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

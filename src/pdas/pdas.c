@@ -150,6 +150,18 @@ static PetscErrorCode PDASDestroySolver_Private(PDAS *pdas)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASSetAreas(SNES snes, Vec areas)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  PetscCall(PetscObjectReference((PetscObject)areas));
+  PetscCall(VecDestroy(&pdas->areas));
+  pdas->areas = areas;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep)
 {
   PDAS *pdas;
@@ -167,6 +179,7 @@ PetscErrorCode PDASRestart(SNES snes)
 
   PetscFunctionBeginUser;
   PetscCall(PDASGet(snes, &pdas));
+  PetscCall(VecDestroy(&pdas->areas));
   PetscCall(VecDestroy(&pdas->previous));
   if (!pdas->start_set) pdas->start = START_PREVIOUS;
   if (pdas->solver && pdas->upper) PetscCall(ActiveSetGather(&pdas->set, pdas->upper, pdas->set.upper));
@@ -278,6 +291,7 @@ static PetscErrorCode PDASPrepare_Private(SNES snes, PDAS *pdas, Mat A, Vec b, V
     PetscCall(VecSet(upper, PETSC_INFINITY));
     PetscCall(ActiveSetCreateWithTangents(pdas->upper ? pdas->upper : upper, A, pdas->law, &pdas->set));
     PetscCall(VecDestroy(&upper));
+    if (pdas->areas) PetscCall(ActiveSetSetAreas(&pdas->set, pdas->areas));
     PetscCall(PDASBegin(snes, pdas, &pdas->set, y, r));
     PetscCall(PDASChooseSolver(snes, pdas, A, b, y));
   }
@@ -380,6 +394,7 @@ static PetscErrorCode PDASDestroy_Private(ContainerArgument argument)
   PetscCall(PDASDestroySolver_Private(pdas));
   PetscCall(VecDestroy(&pdas->lower));
   PetscCall(VecDestroy(&pdas->upper));
+  PetscCall(VecDestroy(&pdas->areas));
   PetscCall(VecDestroy(&pdas->previous));
   PetscCall(PetscFree(pdas));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -37,6 +37,10 @@ PetscErrorCode PDASGetActive(SNES snes, Vec *active);
    eq. 10.1 makes of the initial guess. Collective. */
 PetscErrorCode PDASSetStart(SNES snes, Vec active);
 
+/* Areas of the bounded unknowns. Forces over them are pressures, and an iterative solver then ends only where
+   those of free unknowns are negligible as well as their forces. Collective. [in] areas - referenced */
+PetscErrorCode PDASSetAreas(SNES snes, Vec areas);
+
 /* Whether matrix and bounds stay as they are from one solve to the next, so that factors serve again.
    Collective. */
 PetscErrorCode PDASSetKeep(SNES snes, PetscBool keep);

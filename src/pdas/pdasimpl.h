@@ -20,6 +20,7 @@ typedef struct {
   PetscInt  *dof;        /* which unknowns they are, global numbers, ascending [n] */
   PetscReal *upper;      /* [n] */
   PetscReal *diag;       /* A_ii > 0 [n] */
+  PetscReal *area;       /* of ActiveSetSetAreas() [n], or NULL */
   PetscBool *active;     /* [n] */
   PetscInt   num_active; /* of all ranks */
 } ActiveSet;
@@ -28,6 +29,8 @@ typedef struct {
 PetscErrorCode ActiveSetCreate(Vec upper, Mat A, ActiveSet *set);
 /* The same with the tangents of a law of friction, whose bounds are infinite. Collective. */
 PetscErrorCode ActiveSetCreateWithTangents(Vec upper, Mat A, const FrictionLaw *law, ActiveSet *set);
+/* Areas of all bounded unknowns. Not collective. */
+PetscErrorCode ActiveSetSetAreas(ActiveSet *set, Vec areas);
 PetscErrorCode ActiveSetDestroy(ActiveSet *set);
 /* Gets values of bounded unknowns from a vector, or sets them. Not collective. [in or out] values - [n] */
 PetscErrorCode ActiveSetGather(const ActiveSet *set, Vec v, PetscReal values[]);
@@ -172,6 +175,7 @@ typedef struct {
   PDASStart start;
   PetscBool start_set, reduce, reduce_set;
   Vec       lower, upper;                     /* NULL without bounds */
+  Vec       areas;                            /* of PDASSetAreas(), or NULL */
   Vec       previous;                         /* of PDASSetStart(), or NULL */
   PetscReal error_reduction, energy_decrease; /* of PDASSetErrorReduction() */
   /* results, */

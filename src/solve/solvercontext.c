@@ -92,6 +92,25 @@ PetscErrorCode SolverContextSetLevels(SolverContext *context, SNES snes)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Tells pdas the areas of rows: forces over them are pressures. Collective. */
+static PetscErrorCode SolverContextSetAreas_Private(const VI vi, SNES snes)
+{
+  PetscScalar *a;
+  PetscInt     begin;
+  Vec          areas;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(vi->upper, &areas));
+  PetscCall(VecZeroEntries(areas));
+  PetscCall(VecGetOwnershipRange(areas, &begin, NULL));
+  PetscCall(VecGetArray(areas, &a));
+  for (PetscInt r = 0; r < vi->num_rows; r++) a[vi->row_dof[r] - begin] = vi->row_D[r];
+  PetscCall(VecRestoreArray(areas, &a));
+  PetscCall(PDASSetAreas(snes, areas));
+  PetscCall(VecDestroy(&areas));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, PetscBool previous,
                                    SolverContext *context)
 {
@@ -110,6 +129,7 @@ PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, Pe
   SolverContextDefaults_Private(vi, choice, previous, context->defaults);
   PetscCall(SolverContextDefaultsApply_Private(context, PETSC_TRUE));
   PetscCall(SNESSetupCreate(&context->proximal.solved, choice, context->scratch, &context->norm, &context->snes));
+  if (!strcmp(choice->snes, SNESPDAS)) PetscCall(SolverContextSetAreas_Private(vi, context->snes));
   if (vi->friction) PetscCall(PDASSetFriction(context->snes, vi->friction));
   if (choice->fixed_point) PetscCall(PDASSetFrictionFixedPoint(context->snes, PETSC_TRUE));
   PetscCall(SNESGetKSP(context->snes, &ksp));
