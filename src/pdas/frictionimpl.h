@@ -101,8 +101,8 @@ PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[],
 /* The end of the step, with no slip where it turned back. Collective. [in] from - as above; [out] to - y [n];
    [out] work - change of sum G |s| */
 PetscErrorCode FrictionUnitsClip(const FrictionUnits *units, const PetscReal from[], PetscReal to[], PetscReal *work);
-/* Slipping units without slip stick next. Not collective. */
-void FrictionUnitsEnd(FrictionUnits *units);
+/* Slipping units whose slip ended in the step stick next. Not collective. [in] from - as above */
+void FrictionUnitsEnd(FrictionUnits *units, const PetscReal from[]);
 
 /* The last iterates of the fixed point iteration, for Anderson's acceleration. */
 enum { ANDERSON_DEPTH = 5 };

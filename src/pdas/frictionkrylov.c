@@ -10,6 +10,8 @@
    LEAST_FORCING. */
 static const PetscReal FIRST_FORCING = 1e-2, TIGHTER = 0.1, TIGHT_FORCING = 1e-5, LAST_FORCING = 0.2,
                        LEAST_FORCING = 1e-9;
+/* A system leaves at most this part of the residual before it. */
+static const PetscReal BELOW_BEFORE = 0.1;
 /* Tolerance of coarser levels: their solution is only an initial guess. */
 static const PetscReal LEVEL_RTOL = 1e-5;
 /* The law's residual may have this part of the tolerance of systems: the error in the energy norm is
@@ -199,7 +201,7 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
   PetscCall(PetscInfo(t->linear.ksp, "step shortened to %g%s\n", (double)alpha, clipped ? " or clipped" : ""));
   if (!clipped) PetscCall(VecWAXPY(t->y, alpha, t->d, t->begin));
   PetscCall(FrictionKrylovEvaluate_Private(method, step));
-  if (clipped) FrictionUnitsEnd(&method->units);
+  if (clipped || alpha < 1) FrictionUnitsEnd(&method->units, t->from);
   step->shortened = PETSC_TRUE;
   step->done      = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -229,6 +231,23 @@ static PetscErrorCode FrictionKrylovDecide_Private(FrictionMethod method, PetscR
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Reduction of the residual of a system. Where decisions move stiff nodes it begins far above the residual
+   before them, and must come below that. Collective. [in] before - that residual; [in] forcing - reduction
+   otherwise */
+static PetscErrorCode FrictionKrylovReduction_Private(FrictionMethod method, PetscReal before, PetscReal *forcing)
+{
+  Krylov     *t = method->data;
+  PetscScalar square;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecPointwiseDivide(t->d, t->f, method->solver->diag));
+  PetscCall(VecDot(t->f, t->d, &square));
+  if (PetscRealPart(square) > 0)
+    *forcing =
+        PetscMin(*forcing, PetscMax(BELOW_BEFORE * before / PetscSqrtReal(PetscRealPart(square)), LEAST_FORCING));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Solves the system of the decisions. [in] before - the residual before it; [in] forcing - its accuracy;
    [in,out] step */
 static PetscErrorCode FrictionKrylovSolve_Private(FrictionMethod method, PetscReal before, PetscReal forcing,
@@ -238,6 +257,7 @@ static PetscErrorCode FrictionKrylovSolve_Private(FrictionMethod method, PetscRe
 
   PetscFunctionBeginUser;
   PetscCall(FrictionKrylovLoad_Private(method));
+  PetscCall(FrictionKrylovReduction_Private(method, before, &forcing));
   t->linear.coupled = PETSC_TRUE;
   PetscCall(FrictionLinearSolve(&t->linear, forcing, t->f, t->d, &step->iterations));
   PetscCall(VecAXPY(t->y, 1, t->d));

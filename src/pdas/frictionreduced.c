@@ -72,6 +72,7 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, FrictionStep *st
 {
   FrictionUnits *units = t->problem.units;
   PetscReal      slope[2], alpha, energy, work, *part, *whole;
+  PetscBool      clipped;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArraycpy(t->to, units->y, units->n));
@@ -83,12 +84,12 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, FrictionStep *st
   for (PetscInt i = 0; i < units->n; i++) part[i] = t->from[i] + alpha * (t->to[i] - t->from[i]);
   PetscCall(FrictionUnitsClip(units, t->from, t->to, &work));
   PetscCall(FrictionReducedSlopes_Private(t, slope));
-  if (alpha > 0 && (slope[0] + slope[1]) / 2 + work <= energy) {
-    FrictionUnitsEnd(units);
-  } else {
+  clipped = (PetscBool)(alpha > 0 && (slope[0] + slope[1]) / 2 + work <= energy);
+  if (!clipped) {
     PetscCall(PetscArraycpy(units->y, part, units->n));
     PetscCall(FrictionProblemSetForces(&t->problem));
   }
+  if (clipped || alpha < 1) FrictionUnitsEnd(units, t->from);
   PetscCall(PetscArraycpy(t->to, whole, units->n));
   PetscCall(PetscFree2(part, whole));
   if (alpha > 1) step->residual = PETSC_MAX_REAL;

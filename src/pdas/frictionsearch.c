@@ -3,6 +3,7 @@
    With the limits G of the present pressures the energy J(y) = 1/2 y'A y - b'y + sum G |s| is convex. The
    decisions of a step are those of a proximal step y^ (eq. 16.4). At y^ J is smooth in all free unknowns.
    From there Newton's step d descends until slip reverses. The part alpha minimizes J(y^ + alpha d) [1].
+   Where slip ends with it, the unit sticks next: else it might end each of the next steps, too.
 
    In space a step is too short where slip grows: the resistance to turning falls with its size, and the
    step has that of its begin. Then alpha is above 1.
@@ -18,6 +19,8 @@
 /* A step is changed if the slope of the energy at its end is above this part of the slope at its begin.
    BISECTIONS: their number for the part. DOUBLINGS: of a step that is too short, at most. */
 static const PetscReal OVERSHOOT = 0.1;
+/* Slip has ended if the step leaves this part of it. */
+static const PetscReal SLIP_ENDS = 1e-2;
 enum { BISECTIONS = 40, DOUBLINGS = 6 };
 
 /* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
@@ -123,15 +126,17 @@ PetscErrorCode FrictionUnitsClip(const FrictionUnits *units, const PetscReal fro
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void FrictionUnitsEnd(FrictionUnits *units)
+void FrictionUnitsEnd(FrictionUnits *units, const PetscReal from[])
 {
   for (PetscInt a = 0; a < units->num; a++) {
     FrictionUnit *unit  = &units->unit[a];
-    PetscBool     still = PETSC_TRUE;
+    PetscReal     begin = 0, end = 0;
 
-    for (PetscInt i = 0; i < unit->num; i++)
-      still = (PetscBool)(still && units->y[unit->tangent[i]] == unit->origin[i]);
-    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && still);
+    for (PetscInt i = 0; i < unit->num; i++) {
+      begin += PetscSqr(from[unit->tangent[i]] - unit->origin[i]);
+      end += PetscSqr(units->y[unit->tangent[i]] - unit->origin[i]);
+    }
+    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && end <= PetscSqr(SLIP_ENDS) * begin);
   }
 }
 
