@@ -144,6 +144,7 @@ PetscErrorCode OptionNextItem(const Option *option, const char **cursor, char it
   const char *begin = *cursor ? *cursor : option->text, *end = begin + strcspn(begin, ",");
 
   PetscFunctionBeginUser;
+  PetscCall(OptionCheckValue_Private(option));
   *cursor = *end ? end + 1 : NULL;
   while (begin < end && isspace((unsigned char)*begin)) begin++;
   while (begin < end && isspace((unsigned char)end[-1])) end--;

@@ -96,6 +96,7 @@ mistake(name_illegal        SAYS 2nd letter ARGS -bodies upper,lower,2nd)
 mistake(name_of_petsc       SAYS ksp PETSc ARGS -bodies upper,lower,ksp)
 mistake(name_clash          SAYS upper_bc_traction "option of both" ARGS -bodies upper,lower,upper_bc_traction)
 mistake(name_number         SAYS upper_2 "rename one" ARGS -bodies upper,lower,upper_2)
+mistake(names_missing       SAYS "-pairs: has no value; write -pairs name,name,..." ARGS -pairs)
 mistake(name_empty          SAYS "-bodies upper,,lower" empty ARGS -bodies upper,,lower)
 
 # --- the scene as a whole ---
