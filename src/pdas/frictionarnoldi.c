@@ -9,6 +9,12 @@
 enum { RHO_FIRST = 3, RHO_FEW = 6, RHO_CALM = 2, RHO_STEPS = 24 };
 static const PetscReal RHO_TINY = 1e-3, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
 
+/* The rest of rho is that of a geometric series, times RHO_REST: changes fall more slowly than those of a
+   series, by up to 1.7 times. Its ratio is that of RHO_WINDOW changes to as many before, at most RHO_RATIO.
+   It is RHO_EARLY where there are fewer. */
+enum { RHO_WINDOW = 3 };
+static const PetscReal RHO_RATIO = 0.5, RHO_EARLY = 0.33, RHO_REST = 2;
+
 /* The first vector is smooth: the limits. Parts of it follow the direction of slip and the number of the
    unknown. So it is in no invariant subspace, such as those of symmetric scenes. */
 static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
@@ -62,13 +68,30 @@ static PetscErrorCode FrictionArnoldiLargest_Private(PetscInt size, const PetscS
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal part, PetscReal most,
-                                      FrictionReport *report)
+/* How far rho may be from its limit. [in] found - after each step [size] */
+static PetscReal FrictionArnoldiRest_Private(PetscInt size, const PetscReal found[])
+{
+  const PetscInt at = size - 1, before = at - RHO_WINDOW, first = before - RHO_WINDOW;
+  PetscReal      last, ratio = RHO_EARLY, changes = 0;
+
+  for (PetscInt i = PetscMax(at - 1, 0); i <= at; i++)
+    changes = PetscMax(changes, PetscAbsReal(found[i] - (i ? found[i - 1] : 0)));
+  last = PetscAbsReal(found[at] - (before < 0 ? 0 : found[before]));
+  if (first >= 0) {
+    const PetscReal earlier = PetscAbsReal(found[before] - found[first]);
+
+    ratio = last < RHO_RATIO * earlier ? last / earlier : RHO_RATIO;
+  }
+  return PetscMax(changes, RHO_REST * last * ratio / (1 - ratio));
+}
+
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal rtol, PetscReal part,
+                                      PetscReal most, FrictionReport *report)
 {
   const PetscInt num                      = method->units.num;
   PetscScalar    H[RHO_STEPS * RHO_STEPS] = {0};
   PetscReal     *basis[RHO_STEPS + 1], *values, h[RHO_STEPS + 1];
-  PetscReal      rho = 0, change = 0;
+  PetscReal      rho = 0, found[RHO_STEPS], largest = 0;
   PetscInt       k = 0, calm = 0;
   PetscBool      settled = PETSC_FALSE;
 
@@ -80,18 +103,23 @@ PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, Pe
   PetscCall(FrictionArnoldiOrthogonalize_Private(method, 0, basis, basis[0], h));
   for (; k < RHO_STEPS && h[k] > RHO_INVARIANT * rho && !settled; k++) {
     const PetscReal before = rho;
+    PetscReal       change, image = 0;
 
     PetscCall((*map)(method, basis[k], basis[k + 1]));
     PetscCall(FrictionArnoldiOrthogonalize_Private(method, k + 1, basis, basis[k + 1], h));
     for (PetscInt i = 0; i < PetscMin(k + 2, RHO_STEPS); i++) H[RHO_STEPS * k + i] = h[i];
+    for (PetscInt i = 0; i < k + 2; i++) image += PetscSqr(h[i]);
+    largest = PetscMax(largest, PetscSqrtReal(image));
     PetscCall(FrictionArnoldiLargest_Private(k + 1, H, &rho));
-    report->rho_error = PetscMax(change, PetscAbsReal(rho - before)); // of the last two
+    found[k]          = rho;
+    report->rho_error = FrictionArnoldiRest_Private(k + 1, found);
     change            = PetscAbsReal(rho - before);
     calm              = change < part * PetscMax(RHO_SETTLES * rho, RHO_DISTANT * PetscAbsReal(1 - rho)) ? calm + 1 : 0;
     settled           = (PetscBool)(rho > most || (k + 1 >= RHO_FIRST && rho < part * RHO_TINY) ||
                           (k + 1 >= RHO_FEW && (rho < part * RHO_SMALL || calm >= RHO_CALM)));
   }
-  if (k < RHO_STEPS && !settled) report->rho_error = 0; // the subspace is invariant
+  if (k < RHO_STEPS && !settled) report->rho_error = 0;                                     // the subspace is invariant
+  if (rtol > 0) report->rho_error = PetscMax(report->rho_error + rtol * largest, RHO_TINY); // the map is inexact
   report->rho = rho;
   PetscCall(PetscFree(values));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -198,10 +198,10 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
 /* rho = max |eigenvalue of M|, by Arnoldi's method. Collective.
-   [in] part - of the changes at which rho has settled; 0: takes all steps; [in] most - gives up above it;
-   [out] report - rho and its error */
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal part, PetscReal most,
-                                      FrictionReport *report);
+   [in] rtol - relative accuracy of the map; [in] part - of the changes at which rho has settled; 0: takes all
+   steps; [in] most - gives up above it; [out] report - rho and its error */
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal rtol, PetscReal part,
+                                      PetscReal most, FrictionReport *report);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]
    y - initial guess */
