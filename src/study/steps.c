@@ -275,7 +275,9 @@ static PetscErrorCode StepsOmit_Private(Scene scene, PetscReal t)
                              " times in -load_steps; give those that are to follow",
                              plan->restart, (double)t, times));
   if (omit == plan->num)
-    PetscCall(UserErrorRaise(scene->comm, "-restart %s: it ends at t = %.9g, and -load_steps has no step behind that",
+    PetscCall(UserErrorRaise(scene->comm,
+                             "-restart %s: it ends at t = %.9g, and -load_steps has no step behind that: steps "
+                             "up to that time are omitted",
                              plan->restart, (double)t));
   plan->num -= omit;
   PetscCall(PetscArraymove(plan->t, plan->t + omit, plan->num));
@@ -285,15 +287,20 @@ static PetscErrorCode StepsOmit_Private(Scene scene, PetscReal t)
 /* Reads the file of -restart. */
 static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
 {
-  const Scene scene = steps->scene;
+  const Scene    scene = steps->scene;
+  const PetscInt num   = scene->steps.num;
+  char           omitted[64];
 
   PetscFunctionBeginUser;
   if (!scene->steps.restart) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunDestroy(run));
   PetscCall(RestartFileRead(MeshFinest(mesh), scene->steps.restart, &steps->begin, &steps->begin_t));
   PetscCall(StepsOmit_Private(scene, steps->begin_t));
+  PetscCall(PetscSNPrintf(omitted, sizeof(omitted), ", without the first %" PetscInt_FMT " of -load_steps",
+                          num - scene->steps.num));
   if (!steps->quiet)
-    PetscCall(PetscPrintf(scene->comm, "goes on from t = %.9g of %s\n", (double)steps->begin_t, scene->steps.restart));
+    PetscCall(PetscPrintf(scene->comm, "goes on from t = %.9g of %s%s\n", (double)steps->begin_t, scene->steps.restart,
+                          num > scene->steps.num ? omitted : ""));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -13,6 +13,7 @@ def judge(run):
     found = rest.summary["steps"]
     same("times after the break", [step["t"] for step in found], times[middle:])
     require(f"goes on from t = {times[middle - 1]:.9g}" in rest.stdout, "the time of the break is not told")
+    require(f"result.h5, without the first {middle} of -load_steps" in rest.stdout, "the steps that are omitted are not told")
     require(found[0]["energy"].get("balance", {}).get("work") is None, "the first step after a break knows its begin")
     for quantity in ("normal_force", "max_slip", "dissipation", "slip_share"):
         for pair in steps[0]["pairs"]:
