@@ -110,7 +110,8 @@ static PetscReal BarsOfSequence_Private(const BarHistory *history, const PetscRe
   const PetscInt  last = history->num - 1;
   const PetscReal eta  = history->mesh[last].eta;
   const PetscBool few =
-      (PetscBool)(last < BAR_MESHES && (eta > FALLEN * history->mesh[0].eta || !BarsSettle_Private(history->num, Q)));
+      (PetscBool)(last < BAR_MESHES && (eta > FALLEN * history->mesh[0].eta || history->mesh[last].lost ||
+                                        !BarsSettle_Private(history->num, Q)));
   PetscReal bar = 0;
 
   if (!last) return (PetscReal)NAN;

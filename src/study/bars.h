@@ -10,6 +10,7 @@
 typedef struct {
   const cJSON *row;  /* of SummaryCreateStep() */
   PetscReal    eta;  /* its error estimate, not calibrated */
+  PetscBool    lost; /* whether the error is as large as the solution: it shows no rate */
   const Peak  *peak; /* of pairs [num_pairs] */
 } BarMesh;
 
@@ -27,7 +28,8 @@ typedef struct {
        / eta_j, .95): b = max(1.25 max_{j = k-4..k-1} |Q_k - Q_j| r_j / (1 - r_j), floor).
    With fewer than five meshes, their largest difference times 4 over the number of earlier meshes takes the
        place of the
-   first term; not if eta_k is below a quarter of the first estimate and increments halve. Not collective.
+   first term; not if eta_k is below a quarter of the first estimate, the error below the solution, and
+   increments halve. Not collective.
    [out] bars - an object with the keys of the summary: energy, pairs, reactions, probes; null for a number
    that grows
    without limit. "unbounded" lists the pairs of such pressures. Owned by the caller */

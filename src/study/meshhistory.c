@@ -189,7 +189,10 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(history->num, &meshes));
   for (PetscInt k = 0; k < history->num; k++)
-    meshes[k] = (BarMesh){.row = history->mesh[k].row, .eta = history->mesh[k].eta, .peak = history->mesh[k].peak};
+    meshes[k] = (BarMesh){.row  = history->mesh[k].row,
+                          .eta  = history->mesh[k].eta,
+                          .lost = (PetscBool)(SolvedMeshGetError(&history->mesh[k]) >= 1),
+                          .peak = history->mesh[k].peak};
   sequence.mesh = meshes;
   PetscCall(BarFloorsCreate(run->fields, run->reactions, &floors));
   RunForgetBlocks(run);

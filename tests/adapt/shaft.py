@@ -1,7 +1,7 @@
 """A shaft on a block from cells of 150 half widths. Hertz' largest pressure and stress under it, for the force that is found, lie within the bars."""
 import math
 
-from judge import near, require
+from judge import Run, near, require, same
 
 MODULUS, NU = 1000 / (1 - 0.3**2), 0.3
 
@@ -19,3 +19,8 @@ def judge(run):
     mises = math.sqrt(((x - y)**2 + (y - NU * (x + y))**2 + (NU * (x + y) - x)**2) / 2)
     near("von Mises' stress", stress["value"], mises, absolute=stress["bar"])
     require(run.summary["estimate"]["meshes"][-1]["unknowns"] < 10000, "more unknowns than this takes")
+    few = Run(run.program, run.mpiexec, run.ranks, run.folder / "few", run.arguments + ["-adapt_max_meshes", "3"])
+    same("exit", few.exit, 3)
+    same("nodes in contact on the third mesh", few.pair("joint")["active_nodes"], 0)
+    for goal in few.summary["estimate"]["goals"]:
+        near(f"{goal['goal']} on three meshes", goal["value"], goals[goal["goal"]]["value"], absolute=goal["bar"])
