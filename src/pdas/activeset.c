@@ -70,7 +70,7 @@ PetscErrorCode ActiveSetCreateWithTangents(Vec upper, Mat A, const FrictionLaw *
 PetscErrorCode ActiveSetSetAreas(ActiveSet *set, Vec areas)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(set->n, &set->area));
+  PetscCall(PetscMalloc1(set->n + 1, &set->area)); // also on ranks without bounded unknowns: it is no NULL there
   PetscCall(ActiveSetGather(set, areas, set->area));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
