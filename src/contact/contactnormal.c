@@ -22,6 +22,14 @@ static const PetscReal LEAST_SCALE = 0.1;
 /* Points of a reference cell that differ by less are the same. */
 static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 
+/* Mortar facets that are nearly as near as the nearest one, to this part of a facet of the nonmortar side, meet
+   a convex edge as well. */
+static const PetscReal ALSO_NEAR = 0.1;
+/* They are of another patch if their normals differ by 45 degrees; cosine. */
+static const PetscReal OTHER_PATCH = 0.70710678118654752;
+/* A direction between the normals of facets is as near to their mean as one of them; roundoff of cosines. */
+static const PetscReal BETWEEN = 1e-6;
+
 /* Cubes around a point grow by this factor. */
 static const PetscReal CUBE_GROWTH = 4;
 
@@ -174,29 +182,133 @@ static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Finds the mortar facet next to a point. Cubes grow until they contain all nearer facets. Not collective.
+   [in] n - normal at the point; [in] size - of a facet there */
+static PetscErrorCode ContactNormalFindBelow_Private(const FacetPartner *partner, const PetscReal x[],
+                                                     const PetscReal n[], PetscReal size, FacetBelow *below)
+{
+  PetscReal radius = PetscMin(size, partner->reach);
+
+  PetscFunctionBeginUser;
+  PetscCall(ContactNormalSearchCube_Private(partner, x, n, radius, below));
+  while (radius < partner->reach && !(below->faces && below->nearest <= PetscSqr(radius))) {
+    radius = PetscMin(CUBE_GROWTH * radius, partner->reach);
+    PetscCall(ContactNormalSearchCube_Private(partner, x, n, radius, below));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The shape of the mortar side next to a point, as that of the parallel surface through it. Centres of
-   circles and balls stay the same. Cubes grow until they contain all nearer facets. Not collective.
+   circles and balls stay the same. Not collective.
    [in] n - normal at the point; [in] size - of a facet there; [out] found - whether there are facets within
    reach */
 static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
                                                       const PetscReal n[], PetscReal size, SurfacePoint *at,
                                                       PetscBool *found)
 {
-  const PetscInt dim    = partner->dim;
-  PetscReal      radius = PetscMin(size, partner->reach);
+  const PetscInt dim = partner->dim;
   FacetBelow     below;
 
   PetscFunctionBeginUser;
-  PetscCall(ContactNormalSearchCube_Private(partner, x, n, radius, &below));
-  while (radius < partner->reach && !(below.faces && below.nearest <= PetscSqr(radius))) {
-    radius = PetscMin(CUBE_GROWTH * radius, partner->reach);
-    PetscCall(ContactNormalSearchCube_Private(partner, x, n, radius, &below));
-  }
+  PetscCall(ContactNormalFindBelow_Private(partner, x, n, size, &below));
   *found = (PetscBool)(below.facet >= 0);
   *at    = below.at;
   if (*found)
     ContactNormalToParallel_Private(
         dim, ContactNormalHeightOver_Private(partner->mortar, dim, below.facet, x, below.eta, at), at);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether mortar facets of another patch are as near to a point as the one below it. Not collective. */
+static PetscErrorCode ContactNormalAreSeveral_Private(const FacetPartner *partner, const PetscReal x[], PetscReal size,
+                                                      const FacetBelow *below, PetscBool *several)
+{
+  const PetscInt  dim    = partner->dim;
+  const PetscReal radius = PetscSqrtReal(below->nearest) + ALSO_NEAR * size;
+  PetscReal       query[6];
+  PetscInt        num;
+  const PetscInt *hits;
+
+  PetscFunctionBeginUser;
+  *several = PETSC_FALSE;
+  for (PetscInt k = 0; k < dim; k++) {
+    query[k]       = x[k] - radius;
+    query[dim + k] = x[k] + radius;
+  }
+  PetscCall(BoxTreeQuery(partner->mortar->tree, query, &num, &hits));
+  for (PetscInt h = 0; h < num && !*several; h++) {
+    const ElementType type   = partner->mortar->type[hits[h]];
+    PetscReal         eta[2] = {0};
+    SurfacePoint      here;
+
+    if (ClosestPointOnFacet(dim, type, &partner->mortar->coords[hits[h] * F * dim], x, eta) > PetscSqr(radius))
+      continue;
+    ContactNormalMortarShape_Private(partner->mortar, dim, hits[h], eta, &here);
+    *several = (PetscBool)(VectorDot(dim, here.normal, below->at.normal) < OTHER_PATCH);
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A point of a convex edge touches a smooth surface along the normal of the surface, as long as that is between
+   the normals at the edge. Not collective.
+   [in] spread - one less the cosine of the mean normal n and the farthest normal at the edge; [in,out] n - mean
+   normal, then the direction [dim] */
+static PetscErrorCode ContactNormalAtEdge_Private(const FacetPartner *partner, const PetscReal x[], PetscReal size,
+                                                  PetscReal spread, PetscScalar n[])
+{
+  const PetscInt dim     = partner->dim;
+  PetscBool      several = PETSC_TRUE;
+  FacetBelow     below;
+
+  PetscFunctionBeginUser;
+  PetscCall(ContactNormalFindBelow_Private(partner, x, n, size, &below));
+  if (below.facet >= 0 && 1 + VectorDot(dim, below.at.normal, n) <= spread + BETWEEN)
+    PetscCall(ContactNormalAreSeveral_Private(partner, x, size, &below, &several));
+  for (PetscInt k = 0; k < dim && !several; k++) n[k] = -below.at.normal[k];
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Kinds of nodes: at no edge, at convex edges alone, at others. */
+enum { AT_NONE, AT_CONVEX, AT_OTHER };
+
+/* Kinds of nodes, and how far the normals of facets are from that of the node, one less the cosine. Collective.
+   [in] own - ghosted; [out] edges - ghosted, dim per node: kind, distance */
+static PetscErrorCode ContactNormalFindEdges_Private(Level *level, const Facets *facets, const SideShape *shape,
+                                                     Vec own, Vec edges)
+{
+  const PetscInt     dim = level->dim;
+  const PetscScalar *oa;
+  PetscScalar       *ea;
+  PetscReal          X[3 * F];
+  Vec                local[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGhostGetLocalForm(own, &local[0]));
+  PetscCall(VecGhostGetLocalForm(edges, &local[1]));
+  PetscCall(VecZeroEntries(local[1]));
+  PetscCall(VecGetArrayRead(local[0], &oa));
+  PetscCall(VecGetArray(local[1], &ea));
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt num      = ElementNumNodes(facets->type[f]);
+    PetscReal      N[3 * F] = {0};
+
+    ContactFacetCoordinates(level, facets, f, X);
+    FrameAddFacetNormal(dim, num, X, N);
+    for (PetscInt i = 0; i < num; i++) {
+      const PetscInt  node  = facets->nodes[f * F + i];
+      const PetscReal ridge = shape->ridge[f * F + i];
+      PetscScalar    *e     = &ea[node * dim];
+
+      FrameNormalize(dim, &N[i * dim]);
+      e[0] = PetscMax(PetscRealPart(e[0]), ridge == 0 ? AT_NONE : ridge > 0 ? AT_CONVEX : AT_OTHER);
+      e[1] = PetscMax(PetscRealPart(e[1]), 1 - VectorDot(dim, &N[i * dim], &oa[node * dim]));
+    }
+  }
+  PetscCall(VecRestoreArray(local[1], &ea));
+  PetscCall(VecRestoreArrayRead(local[0], &oa));
+  PetscCall(VecGhostRestoreLocalForm(edges, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(own, &local[0]));
+  PetscCall(LevelShareVec(edges, MAX_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -229,10 +341,12 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
 }
 
 /* Directions at the nodes of this rank's facets, each once.
-   [in,out] na - own normals at local nodes, then directions, zero at nodes of no facet here and at those
-   without a partner */
+   [in] edges - of ContactNormalFindEdges_Private(), or NULL where there is no edge; [in] curved - whether nodes
+   that are at no edge need a direction; [in,out] na - own normals at local nodes, then directions, zero at nodes
+   of no facet here and, on curved sides, at those without a partner */
 static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
-                                                    const SideShape *shape, PetscScalar na[])
+                                                    const SideShape *shape, const PetscScalar edges[], PetscBool curved,
+                                                    PetscScalar na[])
 {
   const PetscInt dim = level->dim;
   PetscReal      X[3 * F];
@@ -251,6 +365,10 @@ static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPar
 
       if (done[node]) continue;
       done[node] = PETSC_TRUE;
+      if (edges && PetscRealPart(edges[node * dim]) == AT_CONVEX)
+        PetscCall(ContactNormalAtEdge_Private(partner, &level->coords[node * dim], size,
+                                              PetscRealPart(edges[node * dim + 1]), &na[node * dim]));
+      if (!curved) continue;
       for (PetscInt k = 0; k < dim; k++) own.normal[k] = PetscRealPart(na[node * dim + k]);
       for (PetscInt k = 0; k < dim * dim && shape->ridge[corner] == 0; k++)
         own.curvature[k] = shape->curvature[corner * dim * dim + k];
@@ -310,27 +428,50 @@ static PetscErrorCode ContactNormalSetBeyond_Private(Level *level, const Facets 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ContactNormalHasEdge(const Level *level, const SideShape *shape, PetscBool *edge)
+{
+  PetscFunctionBeginUser;
+  *edge = PETSC_FALSE;
+  for (PetscInt c = 0; c < shape->num * F; c++) *edge = (PetscBool)(*edge || shape->ridge[c] > 0);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, edge, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
                                 Vec normals)
 {
-  PetscBool    curved;
-  PetscScalar *na;
-  Vec          local, own, own_local;
+  PetscBool          curved, edge = PETSC_FALSE;
+  PetscScalar       *na;
+  const PetscScalar *ea = NULL;
+  Vec                local, own, own_local, edges = NULL, edges_local;
 
   PetscFunctionBeginUser;
   PetscCall(SideShapeIsCurved(level, facets, shape, &curved));
-  if (!curved && partner->spec->obstacle.kind != OBSTACLE_PLANE) PetscFunctionReturn(PETSC_SUCCESS);
+  curved = (PetscBool)(curved || partner->spec->obstacle.kind == OBSTACLE_PLANE);
+  if (partner->mortar && partner->spec->type == PAIR_CONTACT) PetscCall(ContactNormalHasEdge(level, shape, &edge));
+  if (!curved && !edge) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDuplicate(normals, &own));
   PetscCall(VecGhostGetLocalForm(normals, &local));
   PetscCall(VecGhostGetLocalForm(own, &own_local));
   PetscCall(VecCopy(local, own_local));
   PetscCall(VecGhostRestoreLocalForm(own, &own_local));
+  if (edge) {
+    PetscCall(VecDuplicate(normals, &edges));
+    PetscCall(ContactNormalFindEdges_Private(level, facets, shape, own, edges));
+    PetscCall(VecGhostGetLocalForm(edges, &edges_local));
+    PetscCall(VecGetArrayRead(edges_local, &ea));
+  }
   PetscCall(VecGetArray(local, &na));
-  PetscCall(ContactNormalSetLocal_Private(level, partner, facets, shape, na));
+  PetscCall(ContactNormalSetLocal_Private(level, partner, facets, shape, ea, curved, na));
   PetscCall(VecRestoreArray(local, &na));
+  if (edge) {
+    PetscCall(VecRestoreArrayRead(edges_local, &ea));
+    PetscCall(VecGhostRestoreLocalForm(edges, &edges_local));
+    PetscCall(VecDestroy(&edges));
+  }
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
   PetscCall(NodalNormalsShare(level, normals));
-  PetscCall(ContactNormalSetBeyond_Private(level, facets, own, normals));
+  if (curved) PetscCall(ContactNormalSetBeyond_Private(level, facets, own, normals));
   PetscCall(VecDestroy(&own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -13,10 +13,12 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
 
 /* Directions of contact at the nodes of the nonmortar side, between its own normals and the partner's, by the
    curvatures of both (eq. 4.3). A node that faces no partner within reach takes the direction of its facets'
-   other nodes, or keeps its own normal. Collective. [in] shape - of the side;
-   [in,out] normals - ghosted */
+   other nodes, or keeps its own normal. At a convex edge of the nonmortar side it is the normal of a smooth
+   partner. Collective. [in] shape - of the side; [in,out] normals - ghosted */
 PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const Facets *facets, const SideShape *shape,
                                 Vec normals);
+/* Whether a side has a convex edge on any rank. Collective. [in] shape - of the side */
+PetscErrorCode ContactNormalHasEdge(const Level *level, const SideShape *shape, PetscBool *edge);
 
 /* Sums the contributions of all ranks to normals, and normalizes; zero stays zero. Collective.
    [in,out] normals - ghosted */

@@ -160,11 +160,11 @@ static PetscBool PairIsPolygonal_Private(const Level *level, const SceneSide *si
 }
 
 /* Creates the mortar surface within reach. Its shape is computed for gaps, and for directions at a curved
-   nonmortar side; a flat nonmortar side alone determines the directions. Collective. */
+   nonmortar side and at its edges; a flat nonmortar side alone determines the directions. Collective. */
 static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mortar, PairAssembly *assembly, Pair pair,
                                                 MortarSurface *surface)
 {
-  PetscBool  curved, curved_m;
+  PetscBool  curved, curved_m, edge;
   SideShape  shape;
   PetscReal *bulges = NULL;
 
@@ -172,12 +172,13 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   PetscCall(SideShapeCreate(level, mortar, NULL, &shape));
   PetscCall(SideShapeIsCurved(level, &assembly->nonmortar, &assembly->shape, &curved));
   PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
+  PetscCall(ContactNormalHasEdge(level, &assembly->shape, &edge));
   if (!curved_m && !pair->spec->gap) PetscCall(PetscFree(assembly->bulges));
   if (!pair->spec->gap)
     PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
                               &bulges, &pair->curve_error[1]));
   pair->smooth[1] = bulges ? PETSC_TRUE : PETSC_FALSE;
-  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || bulges ? &shape : NULL, bulges,
+  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || edge || bulges ? &shape : NULL, bulges,
                                 pair->reach + assembly->motion, surface));
   PetscCall(PetscFree(bulges));
   PetscCall(SideShapeDestroy(&shape));

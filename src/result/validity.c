@@ -40,6 +40,8 @@ static const PetscReal STRAINLESS = 1e-12;
 static const PetscReal NO_GAP = 1e-9;
 /* A value that exceeds a limit by no more than this part of it is the limit, as where a uniform strain is. */
 static const PetscReal LIMIT_ROUNDING = 1e-9;
+/* Less than this part of an error grows with the square of the displacements: it is of the mesh. */
+static const PetscReal SQUARE_PART = 0.25;
 /* A scale below this part of the displacements is rounding. */
 static const PetscReal RIM_PART       = 0.5; /* of the way: a larger error is of the search */
 static const PetscReal SCALE_ROUNDING = 1e-6;
@@ -238,38 +240,75 @@ static PetscErrorCode PairStateSetScale_Private(Fields fields, const Pair pair, 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Gaps in the configuration that a share of the displacements deforms, less linearized ones. Collective.
+   [out] error - NAN where no partner faces the node [pair->num]; [out] turn - or NULL */
+static PetscErrorCode PairStateMeasureAt_Private(Fields fields, const Pair pair, const PairState *state,
+                                                 PetscReal share, PetscReal error[], PetscReal turn[])
+{
+  const VI vi = fields->vi;
+  Vec      u;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
+  PetscCall(VecAXPBY(u, share, 0.0, fields->u));
+  PetscCall(LevelShareVec(u, INSERT_VALUES));
+  PetscCall(DeformedGapMeasure(vi->scene, &vi->support, pair, u, error, turn));
+  for (PetscInt a = 0; a < pair->num; a++) error[a] -= pair->gap[a] + share * (state->linear[a] - pair->gap[a]);
+  PetscCall(VecDestroy(&u));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its
    partner is measured on the way: errors grow with the square of the displacement. What is off by as much as
    the way itself is no such error. At the rim of a partner another part of a facet is met. Collective. */
 static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pair, PairState *state)
 {
-  const VI  vi    = fields->vi;
-  PetscReal share = 1, *gap;
+  PetscReal share = 1, *error;
   PetscBool away  = PETSC_TRUE;
-  Vec       u;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(pair->num, &gap));
-  PetscCall(LevelCreateVec(vi->level, vi->level->dim, &u));
+  PetscCall(PetscMalloc1(pair->num, &error));
   for (PetscInt a = 0; a < pair->num; a++) state->error[a] = NAN;
   for (PetscInt half = 0; half <= MAX_HALVES && away; half++, share /= 2) {
-    PetscCall(VecAXPBY(u, share, 0.0, fields->u));
-    PetscCall(LevelShareVec(u, INSERT_VALUES));
-    PetscCall(DeformedGapMeasure(vi->scene, &vi->support, pair, u, gap, half ? NULL : state->turn));
+    PetscCall(PairStateMeasureAt_Private(fields, pair, state, share, error, half ? NULL : state->turn));
     away = PETSC_FALSE;
     for (PetscInt a = 0; a < pair->num; a++) {
-      const PetscReal linear = pair->gap[a] + share * (state->linear[a] - pair->gap[a]);
-
       if (pair->spec->obstacle.kind == OBSTACLE_EXPRESSION) continue; // a gap that is given, not measured
       if (!PetscIsNanReal(state->error[a]) || PetscAbsReal(pair->gap[a]) > state->scale) continue;
-      if (PetscIsNanReal(gap[a])) away = PETSC_TRUE;
-      state->error[a] = (gap[a] - linear) / PetscSqr(share);
-      if (half && PetscAbsReal(gap[a] - linear) > RIM_PART * share * state->scale) state->error[a] = 0;
+      if (PetscIsNanReal(error[a])) away = PETSC_TRUE;
+      state->error[a] = error[a] / PetscSqr(share);
+      if (half && PetscAbsReal(error[a]) > RIM_PART * share * state->scale) state->error[a] = 0;
     }
-    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &away, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &away, 1, MPIU_BOOL, MPI_LOR, fields->vi->level->comm));
   }
-  PetscCall(VecDestroy(&u));
-  PetscCall(PetscFree(gap));
+  PetscCall(PetscFree(error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Omits errors of gaps that do not grow with the square of the displacements. At edges and on coarse facets
+   the linearized gap of a mesh has errors in proportion to them. A node at the rim of its partner meets another
+   part of it. Neither is a limit of the model. Collective. */
+static PetscErrorCode PairStateOmitLinear_Private(Fields fields, const Pair pair, PairState *state)
+{
+  PetscReal *error[2];
+  PetscBool  large = PETSC_FALSE;
+
+  PetscFunctionBeginUser;
+  for (PetscInt a = 0; a < pair->num; a++)
+    large = (PetscBool)(large || PetscAbsReal(state->error[a]) > KINDS[VALIDITY_GAP].green * state->scale);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &large, 1, MPIU_BOOL, MPI_LOR, fields->vi->level->comm));
+  if (!large) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc2(pair->num, &error[0], pair->num, &error[1]));
+  PetscCall(PairStateMeasureAt_Private(fields, pair, state, 1. / 2, error[0], NULL));
+  PetscCall(PairStateMeasureAt_Private(fields, pair, state, 1. / 4, error[1], NULL));
+  for (PetscInt a = 0; a < pair->num; a++) {
+    const PetscReal whole = state->error[a], half = error[0][a], quarter = error[1][a];
+    const PetscReal square = (whole - 3 * half + 2 * quarter) * 8 / 3; // b of a0 + a1 s + b s^2 at s = 1, 1/2, 1/4
+
+    if (PetscAbsReal(square) < SQUARE_PART * PetscAbsReal(whole)) state->error[a] = square;
+    if (PetscAbsReal(4 * half) < SQUARE_PART * PetscAbsReal(whole)) state->error[a] = 4 * half; // jumps on the way
+  }
+  PetscCall(PetscFree2(error[0], error[1]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -290,6 +329,7 @@ static PetscErrorCode ValidityOfPair_Private(Fields fields, PetscInt p, PetscRea
   PetscCall(PairStateCreate_Private(fields, p, &patches, &state));
   PetscCall(PairStateSetScale_Private(fields, pair, strain, &state));
   PetscCall(PairStateMeasureGaps_Private(fields, pair, &state));
+  PetscCall(PairStateOmitLinear_Private(fields, pair, &state));
   for (PetscInt a = 0; a < pair->num; a++) {
     const PetscReal *x    = &pair->level->coords[pair->nodes[a] * dim];
     const PetscReal  slip = VectorNorm(dim, &state.tangential[a * dim]);
