@@ -341,9 +341,9 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
 }
 
 /* Directions at the nodes of this rank's facets, each once.
-   [in] edges - of ContactNormalFindEdges_Private(), or NULL where there is no edge; [in] curved - whether nodes
-   that are at no edge need a direction; [in,out] na - own normals at local nodes, then directions, zero at nodes
-   of no facet here and, on curved sides, at those without a partner */
+   [in] edges - of ContactNormalFindEdges_Private(), or NULL where there is no edge; [in] curved - whether
+   nodes at no edge need a direction; [in,out] na - own normals at local nodes, then directions, zero at
+   nodes of no facet here and, on curved sides, at those without a partner */
 static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
                                                     const SideShape *shape, const PetscScalar edges[], PetscBool curved,
                                                     PetscScalar na[])

@@ -286,8 +286,8 @@ static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pai
 }
 
 /* Omits errors of gaps that do not grow with the square of the displacements. At edges and on coarse facets
-   the linearized gap of a mesh has errors in proportion to them. A node at the rim of its partner meets another
-   part of it. Neither is a limit of the model. Collective. */
+   the linearized gap of a mesh has errors in proportion to them. A node at the rim of its partner meets
+   another part of it. Neither is a limit of the model. Collective. */
 static PetscErrorCode PairStateOmitLinear_Private(Fields fields, const Pair pair, PairState *state)
 {
   PetscReal *error[2];
