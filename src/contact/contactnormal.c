@@ -22,8 +22,8 @@ static const PetscReal LEAST_SCALE = 0.1;
 /* Points of a reference cell that differ by less are the same. */
 static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 
-/* Mortar facets that are nearly as near as the nearest one, to this part of a facet of the nonmortar side, meet
-   a convex edge as well. */
+/* Mortar facets that are nearly as near as the nearest one, to this part of a facet of the nonmortar side,
+   meet a convex edge as well. */
 static const PetscReal ALSO_NEAR = 0.1;
 /* They are of another patch if their normals differ by 45 degrees; cosine. */
 static const PetscReal OTHER_PATCH = 0.70710678118654752;
@@ -249,10 +249,10 @@ static PetscErrorCode ContactNormalAreSeveral_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A point of a convex edge touches a smooth surface along the normal of the surface, as long as that is between
-   the normals at the edge. Not collective.
-   [in] spread - one less the cosine of the mean normal n and the farthest normal at the edge; [in,out] n - mean
-   normal, then the direction [dim] */
+/* A point of a convex edge touches a smooth surface along the normal of the surface, as long as that is
+   between the normals at the edge. Not collective.
+   [in] spread - one less the cosine of the mean normal n and the farthest normal at the edge; [in,out] n -
+   mean normal, then the direction [dim] */
 static PetscErrorCode ContactNormalAtEdge_Private(const FacetPartner *partner, const PetscReal x[], PetscReal size,
                                                   PetscReal spread, PetscScalar n[])
 {
@@ -271,8 +271,8 @@ static PetscErrorCode ContactNormalAtEdge_Private(const FacetPartner *partner, c
 /* Kinds of nodes: at no edge, at convex edges alone, at others. */
 enum { AT_NONE, AT_CONVEX, AT_OTHER };
 
-/* Kinds of nodes, and how far the normals of facets are from that of the node, one less the cosine. Collective.
-   [in] own - ghosted; [out] edges - ghosted, dim per node: kind, distance */
+/* Kinds of nodes, and how far the normals of facets are from that of the node, one less the cosine.
+   Collective. [in] own - ghosted; [out] edges - ghosted, dim per node: kind, distance */
 static PetscErrorCode ContactNormalFindEdges_Private(Level *level, const Facets *facets, const SideShape *shape,
                                                      Vec own, Vec edges)
 {

@@ -4,6 +4,7 @@
    is built from these points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are
    summed over them. So biorthogonality, row sums and linear reproduction hold to roundoff for any rule. */
 #include "base/compat.h"
+#include "kernel/arc.h"
 #include "kernel/frame.h"
 #include "contact/leverarm.h"
 #include "contact/facetintegrals.h"
@@ -43,20 +44,20 @@ static PetscErrorCode FacetIntegralFindColumn_Private(const FacetPartner *partne
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the offset to the gap at a point. */
-static PetscErrorCode FacetIntegralAddOffset_Private(const FacetPartner *partner, PetscInt n, const PetscReal X[],
-                                                     const PetscReal phi[], PetscReal *gap)
+/* Adds the offset to the gap at a point: that of the curve, where the facet has one.
+   [in] bulges - of the facet, or NULL */
+static PetscErrorCode FacetIntegralAddOffset_Private(const FacetPartner *partner, const ClipFacet *facet,
+                                                     const PetscReal bulges[], const PetscReal xi[], PetscReal *gap)
 {
-  PetscReal x[3] = {0, 0, 0}, offset;
+  PetscReal x[3], rise[3] = {0, 0, 0}, phi[ELEMENT_MAX_NODES], offset;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < n; i++) {
-    for (PetscInt k = 0; k < partner->dim; k++) x[k] += phi[i] * X[i * partner->dim + k];
-  }
-  if (partner->spec->gap_offset) {
-    PetscCall(ExpressionEvaluate(partner->spec->gap_offset, partner->dim, x, &offset));
-    *gap += offset;
-  }
+  if (!partner->spec->gap_offset) PetscFunctionReturn(PETSC_SUCCESS);
+  ElementSurface(facet->type, facet->X, xi, x, phi, NULL);
+  if (bulges && ElementOrder(facet->type) == 1) ArcRise(facet->type, bulges, xi, rise);
+  for (PetscInt k = 0; k < partner->dim; k++) x[k] += rise[k];
+  PetscCall(ExpressionEvaluate(partner->spec->gap_offset, partner->dim, x, &offset));
+  *gap += offset;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -122,9 +123,10 @@ static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipF
   }
 }
 
-/* Integrates D, M, G and D_other from the collected points. */
+/* Integrates D, M, G and D_other from the collected points. [in] bulges - of the facet, or NULL */
 static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                     OverlapPoints *list, FacetIntegral *integral)
+                                                     const PetscReal bulges[], OverlapPoints *list,
+                                                     FacetIntegral *integral)
 {
   const PetscInt num_nodes = ElementNumNodes(facet->type);
   PetscInt       columns[ELEMENT_MAX_FACET_NODES];
@@ -146,7 +148,7 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
-    PetscCall(FacetIntegralAddOffset_Private(partner, num_nodes, facet->X, phi, &gap));
+    PetscCall(FacetIntegralAddOffset_Private(partner, facet, bulges, &xi[2 * p], &gap));
     list->point[p].gap = gap;
     if (!partner->gap_only && (p == 0 || f != list->facet[p - 1]))
       PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
@@ -255,7 +257,7 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   PetscCall(OverlapPointsCollect(partner, facet, list));
   PetscCall(SmoothGapApply(partner, facet, bulges, list, &curve));
   FacetIntegralWeighPoints_Private(partner, facet, list);
-  PetscCall(FacetIntegralSumPoints_Private(partner, facet, list, integral));
+  PetscCall(FacetIntegralSumPoints_Private(partner, facet, bulges, list, integral));
   integral->least_gap -= curve;
   integral->fully_covered = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->partly_covered =

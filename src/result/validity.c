@@ -295,7 +295,8 @@ static PetscErrorCode PairStateOmitLinear_Private(Fields fields, const Pair pair
 
   PetscFunctionBeginUser;
   for (PetscInt a = 0; a < pair->num; a++)
-    large = (PetscBool)(large || PetscAbsReal(state->error[a]) > KINDS[VALIDITY_GAP].green * state->scale);
+    large = (PetscBool)(large || (!PetscIsNanReal(state->error[a]) &&
+                                  PetscAbsReal(state->error[a]) > KINDS[VALIDITY_GAP].green * state->scale));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &large, 1, MPIU_BOOL, MPI_LOR, fields->vi->level->comm));
   if (!large) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc2(pair->num, &error[0], pair->num, &error[1]));
@@ -303,8 +304,10 @@ static PetscErrorCode PairStateOmitLinear_Private(Fields fields, const Pair pair
   PetscCall(PairStateMeasureAt_Private(fields, pair, state, 1. / 4, error[1], NULL));
   for (PetscInt a = 0; a < pair->num; a++) {
     const PetscReal whole = state->error[a], half = error[0][a], quarter = error[1][a];
-    const PetscReal square = (whole - 3 * half + 2 * quarter) * 8 / 3; // b of a0 + a1 s + b s^2 at s = 1, 1/2, 1/4
+    PetscReal       square;
 
+    if (PetscIsNanReal(whole) || PetscIsNanReal(half) || PetscIsNanReal(quarter)) continue;
+    square = (whole - 3 * half + 2 * quarter) * 8 / 3; // b of a0 + a1 s + b s^2 at s = 1, 1/2, 1/4
     if (PetscAbsReal(square) < SQUARE_PART * PetscAbsReal(whole)) state->error[a] = square;
     if (PetscAbsReal(4 * half) < SQUARE_PART * PetscAbsReal(whole)) state->error[a] = 4 * half; // jumps on the way
   }
