@@ -153,8 +153,7 @@ static PetscErrorCode SolverChoiceLargestDirect_Private(VI vi, const char snes[]
   if (!vi->mesh || !SolverChoiceTruncatable_Private(snes)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(MeshLevelsAreNested(vi, &nested));
   if (nested && solid) *limit = PetscMin(*limit, MESH_LEVELS_3D);
-  if (nested && !solid && vi->mesh->num_levels > 1)
-    *limit = PetscMin(*limit, vi->mesh->forest ? MESH_LEVELS_2D_ADAPTED : MESH_LEVELS_2D);
+  if (nested && !solid && vi->mesh->num_levels > 1) *limit = PetscMin(*limit, MESH_LEVELS_2D);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -85,5 +85,6 @@ mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks
 mortise_scene_test(rank_numbers SCENE wheel_on_rail CHECK rank_numbers.py LABELS mpi ARGS -pc_type truncatedmg)
 mortise_scene_test(shorter      SCENE stiff_floor CHECK shorter.py LABELS mpi ARGS -pc_type cholesky -dm_refine 3)
 mortise_scene_test(gives_way    SCENE blocks CHECK gives_way.py)
+mortise_scene_test(chosen       SCENE two_plates CHECK chosen.py LABELS mpi ARGS -upper_dm_plex_box_faces 9,9 -lower_dm_plex_box_faces 7,7 -dm_refine 4)
 mortise_scene_test(drags        LONG SCENE strips CHECK drags.py ARGS -a_dm_plex_box_faces 80,1,1 -a_dm_plex_box_upper 320,1,1)
 mortise_scene_test(ball         LONG CHECK ball.py ARGS -order 2 -ball_dm_plex_box_faces 11,11,11)
