@@ -22,16 +22,16 @@ typedef struct {
   /* Of the smooth shape at the nodes, zero without a shape [num][ELEMENT_MAX_FACET_NODES][dim],
      [..][dim][dim]. */
   PetscReal *normals, *curvature;
-  PetscReal *bulges; /* of smooth sides, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  PetscReal *rises; /* of smooth sides (rise.h), or NULL [num][RISE_TERMS][dim] */
   BoxTree    tree;
 } MortarSurface;
 
 /* Sends to each rank the mortar facets within reach of its nonmortar facets. These are at least the facets
    whose boxes meet the box of a nonmortar facet, widened by the reach. Collective.
-   [in] shape, bulges - of the mortar facets (smoothgap.h); optional, may be NULL on all ranks;
+   [in] shape, rises - of the mortar facets (smoothgap.h); optional, may be NULL on all ranks;
    [out] surface - owned by the caller, MortarSurfaceDestroy() */
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
-                                   const PetscReal bulges[], PetscReal reach, MortarSurface *surface);
+                                   const PetscReal rises[], PetscReal reach, MortarSurface *surface);
 PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface);
 /* Creates the tree of its facets again, after they have moved. Not collective. */
 PetscErrorCode MortarSurfaceUpdateTree(PetscInt dim, MortarSurface *surface);

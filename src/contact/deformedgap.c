@@ -1,7 +1,7 @@
 /* deformedgap.c -- a pair in the deformed configuration.
 
    The pair is searched and integrated with displaced nodes. Displacements are linear on facets of first
-   order. So the curves over them (eq. 4.5) keep their bulges and curvatures; computed anew, both would be
+   order. So the curves over them (eq. 4.5) keep their rises and curvatures; computed anew, both would be
    those of the polygon. */
 #include "base/compat.h"
 #include "kernel/frame.h"

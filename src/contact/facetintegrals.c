@@ -4,7 +4,7 @@
    is built from these points (Cichosz & Bischoff 2011 on cut facets), then D, M and the weighted gap are
    summed over them. So biorthogonality, row sums and linear reproduction hold to roundoff for any rule. */
 #include "base/compat.h"
-#include "kernel/arc.h"
+#include "kernel/rise.h"
 #include "kernel/frame.h"
 #include "contact/leverarm.h"
 #include "contact/facetintegrals.h"
@@ -45,16 +45,16 @@ static PetscErrorCode FacetIntegralFindColumn_Private(const FacetPartner *partne
 }
 
 /* Adds the offset to the gap at a point: that of the curve, where the facet has one.
-   [in] bulges - of the facet, or NULL */
+   [in] rises - of the facet, or NULL */
 static PetscErrorCode FacetIntegralAddOffset_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                     const PetscReal bulges[], const PetscReal xi[], PetscReal *gap)
+                                                     const PetscReal rises[], const PetscReal xi[], PetscReal *gap)
 {
   PetscReal x[3], rise[3] = {0, 0, 0}, phi[ELEMENT_MAX_NODES], offset;
 
   PetscFunctionBeginUser;
   if (!partner->spec->gap_offset) PetscFunctionReturn(PETSC_SUCCESS);
   ElementSurface(facet->type, facet->X, xi, x, phi, NULL);
-  if (bulges && ElementOrder(facet->type) == 1) ArcRise(facet->type, bulges, xi, rise);
+  if (rises) RiseAt(facet->type, rises, xi, rise);
   for (PetscInt k = 0; k < partner->dim; k++) x[k] += rise[k];
   PetscCall(ExpressionEvaluate(partner->spec->gap_offset, partner->dim, x, &offset));
   *gap += offset;
@@ -123,9 +123,9 @@ static void FacetIntegralAddArm_Private(const FacetPartner *partner, const ClipF
   }
 }
 
-/* Integrates D, M, G and D_other from the collected points. [in] bulges - of the facet, or NULL */
+/* Integrates D, M, G and D_other from the collected points. [in] rises - of the facet, or NULL */
 static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                     const PetscReal bulges[], OverlapPoints *list,
+                                                     const PetscReal rises[], OverlapPoints *list,
                                                      FacetIntegral *integral)
 {
   const PetscInt num_nodes = ElementNumNodes(facet->type);
@@ -148,7 +148,7 @@ static PetscErrorCode FacetIntegralSumPoints_Private(const FacetPartner *partner
     PetscReal      phi[ELEMENT_MAX_NODES], psi[ELEMENT_MAX_NODES], gap = list->point[p].gap;
     ElementShape(facet->type, &xi[2 * p], phi, NULL);
     DualBasisEvaluate(&dual, &xi[2 * p], psi);
-    PetscCall(FacetIntegralAddOffset_Private(partner, facet, bulges, &xi[2 * p], &gap));
+    PetscCall(FacetIntegralAddOffset_Private(partner, facet, rises, &xi[2 * p], &gap));
     list->point[p].gap = gap;
     if (!partner->gap_only && (p == 0 || f != list->facet[p - 1]))
       PetscCall(FacetIntegralFindColumns_Private(partner, f, integral, columns));
@@ -235,7 +235,7 @@ static PetscErrorCode FacetIntegralFindEnds_Private(const FacetPartner *partner,
 }
 
 PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const FacetRows *rows,
-                                    const PetscReal bulges[], OverlapPoints *list, FacetIntegral *integral)
+                                    const PetscReal rises[], OverlapPoints *list, FacetIntegral *integral)
 {
   const ElementType carrier = FacetIntegralCarrier(partner->spec, facet->type);
   PetscReal         curve;
@@ -255,9 +255,9 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   }
   FacetIntegralSumFull_Private(partner, facet, carrier, integral);
   PetscCall(OverlapPointsCollect(partner, facet, list));
-  PetscCall(SmoothGapApply(partner, facet, bulges, list, &curve));
+  PetscCall(SmoothGapApply(partner, facet, rises, list, &curve));
   FacetIntegralWeighPoints_Private(partner, facet, list);
-  PetscCall(FacetIntegralSumPoints_Private(partner, facet, bulges, list, integral));
+  PetscCall(FacetIntegralSumPoints_Private(partner, facet, rises, list, integral));
   integral->least_gap -= curve;
   integral->fully_covered = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->partly_covered =

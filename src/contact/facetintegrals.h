@@ -40,10 +40,10 @@ typedef struct {
 ElementType FacetIntegralCarrier(const ScenePair *spec, ElementType facet);
 
 /* Integrates one facet. covered = 0 where nothing is within reach. Not collective.
-   [in] bulges - of the facet, or NULL; [in,out] list - workspace; afterwards its points, with the gaps of the
+   [in] rises - of the facet, or NULL; [in,out] list - workspace; afterwards its points, with the gaps of the
    integrals */
 PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet *facet, const FacetRows *rows,
-                                    const PetscReal bulges[], OverlapPoints *list, FacetIntegral *integral);
+                                    const PetscReal rises[], OverlapPoints *list, FacetIntegral *integral);
 PetscErrorCode FacetIntegralDestroy(FacetIntegral *integral);
 
 #endif

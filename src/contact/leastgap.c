@@ -9,6 +9,7 @@
 #include "contact/overlap.h"
 #include "kernel/disjointsets.h"
 #include "kernel/frame.h"
+#include "kernel/rise.h"
 #include "kernel/vector.h"
 
 /* Mortar facets have an edge between them if their normals differ there by 2 degrees; cosine. */
@@ -20,12 +21,11 @@ static const PetscReal OWN_DIRECTION = 0.96592582628906829;
 /* The unit normal of a mortar facet at one of its nodes: that of its curve. [out] n - [dim] */
 static void LeastGapGetNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, PetscInt i, PetscReal n[])
 {
-  const PetscInt first = f * ELEMENT_MAX_FACET_NODES * dim;
-  PetscBool      rises = PETSC_FALSE;
-  PetscReal      x[3], phi[ELEMENT_MAX_NODES];
+  const PetscInt  first = f * ELEMENT_MAX_FACET_NODES * dim;
+  const PetscBool rises =
+      (PetscBool)(mortar->rises && RiseIsAny(mortar->type[f], &mortar->rises[f * RISE_TERMS * dim]));
+  PetscReal x[3], phi[ELEMENT_MAX_NODES];
 
-  for (PetscInt k = 0; mortar->bulges && k < ELEMENT_MAX_FACET_NODES * dim; k++)
-    rises = (PetscBool)(rises || mortar->bulges[first + k] != 0);
   if (!rises) ElementSurface(mortar->type[f], &mortar->coords[first], ElementNode(mortar->type[f], i), x, phi, n);
   for (PetscInt k = 0; k < dim && rises; k++) n[k] = mortar->normals[first + i * dim + k];
   FrameNormalize(dim, n);

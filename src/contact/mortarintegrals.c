@@ -4,6 +4,7 @@
    the partition. */
 #include "base/compat.h"
 #include "contact/mortarintegrals.h"
+#include "kernel/rise.h"
 
 PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
                                         Mat *A)
@@ -291,9 +292,8 @@ static PetscErrorCode MortarIntegralsCompute_Private(Level *level, const FacetPa
       for (PetscInt k = 0; k < dim; k++)
         rows.N[i * dim + k] = PetscRealPart(na[at->nodes[f * ELEMENT_MAX_FACET_NODES + i] * dim + k]);
     }
-    PetscCall(FacetIntegralCompute(partner, &facet, &rows,
-                                   partner->bulges ? &partner->bulges[f * ELEMENT_MAX_FACET_NODES * dim] : NULL, &list,
-                                   &integrals[f]));
+    PetscCall(FacetIntegralCompute(
+        partner, &facet, &rows, partner->rises ? &partner->rises[f * RISE_TERMS * dim] : NULL, &list, &integrals[f]));
     if (sums->points) PetscCall(PairPointsAdd(sums->points, f, &list));
   }
   PetscCall(VecRestoreArrayRead(local, &na));

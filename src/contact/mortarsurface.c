@@ -10,6 +10,7 @@
 #include "base/compat.h"
 #include "contact/contactsurface.h"
 #include "kernel/frame.h"
+#include "kernel/rise.h"
 #include "kernel/vector.h"
 
 /* Boxes around the nonmortar facets of one rank. Most of one box around a curved side would be empty, and
@@ -31,16 +32,16 @@ typedef struct {
   PetscInt  type, cell, material, nodes[ELEMENT_MAX_FACET_NODES]; /* global */
   PetscReal coords[3 * ELEMENT_MAX_FACET_NODES];
   PetscReal normals[3 * ELEMENT_MAX_FACET_NODES], curvature[9 * ELEMENT_MAX_FACET_NODES];
-  PetscReal bulges[3 * ELEMENT_MAX_FACET_NODES];
+  PetscReal rises[3 * RISE_TERMS];
 } FacetRecord;
 
 /* The mortar side of this rank. */
 typedef struct {
   const Level     *level;
   const Facets    *facets;
-  const SideShape *shape;  /* may be NULL */
-  const PetscReal *bulges; /* of SmoothGapCreate(), may be NULL */
-  PetscInt         first;  /* cell of this rank, counted over all ranks */
+  const SideShape *shape; /* may be NULL */
+  const PetscReal *rises; /* of SmoothGapCreate(), may be NULL */
+  PetscInt         first; /* cell of this rank, counted over all ranks */
 } Side;
 
 /* A tree over the boxes around all facets of a list. [in] coords - [num][ELEMENT_MAX_FACET_NODES][dim] */
@@ -157,8 +158,8 @@ static void MortarSurfacePackFacet_Private(const Side *side, PetscInt f, FacetRe
     record->normals[i] = side->shape->normal[f * ELEMENT_MAX_FACET_NODES * dim + i];
   for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim * dim && side->shape; i++)
     record->curvature[i] = side->shape->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i];
-  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim && side->bulges; i++)
-    record->bulges[i] = side->bulges[f * ELEMENT_MAX_FACET_NODES * dim + i];
+  for (PetscInt i = 0; i < RISE_TERMS * dim && side->rises; i++)
+    record->rises[i] = side->rises[f * RISE_TERMS * dim + i];
 }
 
 /* Appends a facet; the arrays have room for it. */
@@ -174,8 +175,8 @@ static void MortarSurfaceAddFacet_Private(PetscInt dim, const FacetRecord *recor
   for (PetscInt i = 0; i < n * dim; i++) surface->normals[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->normals[i];
   for (PetscInt i = 0; i < n * dim * dim; i++)
     surface->curvature[f * ELEMENT_MAX_FACET_NODES * dim * dim + i] = record->curvature[i];
-  for (PetscInt i = 0; i < ELEMENT_MAX_FACET_NODES * dim && surface->bulges; i++)
-    surface->bulges[f * ELEMENT_MAX_FACET_NODES * dim + i] = record->bulges[i];
+  for (PetscInt i = 0; i < RISE_TERMS * dim && surface->rises; i++)
+    surface->rises[f * RISE_TERMS * dim + i] = record->rises[i];
 }
 
 /* Facets that are sent between this rank and others. */
@@ -299,10 +300,10 @@ static PetscErrorCode MortarSurfaceTrafficDestroy_Private(Traffic *traffic)
 }
 
 PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const Facets *mortar, const SideShape *shape,
-                                   const PetscReal bulges[], PetscReal reach, MortarSurface *surface)
+                                   const PetscReal rises[], PetscReal reach, MortarSurface *surface)
 {
   const PetscInt dim  = level->dim;
-  Side           side = {level, mortar, shape, bulges, 0};
+  Side           side = {level, mortar, shape, rises, 0};
   Covers         covers;
   Traffic        traffic;
   PetscInt       max;
@@ -312,14 +313,14 @@ PetscErrorCode MortarSurfaceCreate(Level *level, const Facets *nonmortar, const 
   side.first -= level->num_cells;
   PetscCall(MortarSurfaceCoversCreate_Private(level, nonmortar, reach, &covers));
   PetscCall(MortarSurfaceTrafficPlan_Private(&side, &covers, &traffic));
-  max             = traffic.num_staying + traffic.num_arriving;
-  surface->num    = 0;
-  surface->bulges = NULL;
+  max            = traffic.num_staying + traffic.num_arriving;
+  surface->num   = 0;
+  surface->rises = NULL;
   PetscCall(PetscMalloc7(max, &surface->type, max, &surface->cell, max, &surface->material,
                          max * ELEMENT_MAX_FACET_NODES, &surface->nodes, max * ELEMENT_MAX_FACET_NODES * dim,
                          &surface->coords, max * ELEMENT_MAX_FACET_NODES * dim, &surface->normals,
                          max * ELEMENT_MAX_FACET_NODES * dim * dim, &surface->curvature));
-  if (bulges) PetscCall(PetscMalloc1(max * ELEMENT_MAX_FACET_NODES * dim, &surface->bulges));
+  if (rises) PetscCall(PetscMalloc1(max * RISE_TERMS * dim, &surface->rises));
   PetscCall(MortarSurfaceTrafficLoad_Private(&side, &covers, &traffic, surface));
   PetscCall(MortarSurfaceCoversDestroy_Private(&covers));
   PetscCall(MortarSurfaceTrafficRun_Private(level, &traffic, surface));
@@ -341,7 +342,7 @@ PetscErrorCode MortarSurfaceDestroy(MortarSurface *surface)
   PetscFunctionBeginUser;
   PetscCall(PetscFree7(surface->type, surface->cell, surface->material, surface->nodes, surface->coords,
                        surface->normals, surface->curvature));
-  PetscCall(PetscFree(surface->bulges));
+  PetscCall(PetscFree(surface->rises));
   PetscCall(BoxTreeDestroy(&surface->tree));
   surface->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);

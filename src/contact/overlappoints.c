@@ -58,7 +58,7 @@ PetscBool OverlapPointsGapVaries(const FacetPartner *partner)
 {
   const ScenePair *spec = partner->spec;
 
-  if (partner->bulges || (partner->mortar && partner->mortar->bulges)) return PETSC_TRUE;
+  if (partner->rises || (partner->mortar && partner->mortar->rises)) return PETSC_TRUE;
   if (spec->gap && !ExpressionIsConstant(spec->gap)) return PETSC_TRUE;
   return (PetscBool)(spec->gap_offset && !ExpressionIsConstant(spec->gap_offset));
 }

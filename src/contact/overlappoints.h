@@ -13,8 +13,8 @@ typedef struct {
   PetscInt             dim;
   PetscReal            reach;
   PetscBool            gap_only; /* whether only D and G are computed, no M */
-  const PetscReal *
-      bulges; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  const PetscReal
+      *rises; /* of the nonmortar facets, where they are taken for smooth and bend, or NULL [num][RISE_TERMS][dim] */
 } FacetPartner;
 
 /* Point p lies on mortar facet facet[p] (-1: obstacle). Facets follow each other: all points of one, then

@@ -166,21 +166,21 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
 {
   PetscBool  curved, curved_m, edge;
   SideShape  shape;
-  PetscReal *bulges = NULL;
+  PetscReal *rises = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(SideShapeCreate(level, mortar, NULL, &shape));
   PetscCall(SideShapeIsCurved(level, &assembly->nonmortar, &assembly->shape, &curved));
   PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
   PetscCall(ContactNormalHasEdge(level, &assembly->shape, &edge));
-  if (!curved_m && !pair->spec->gap) PetscCall(PetscFree(assembly->bulges));
+  if (!curved_m && !pair->spec->gap) PetscCall(PetscFree(assembly->rises));
   if (!pair->spec->gap)
     PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
-                              &bulges, &pair->curve_error[1]));
-  pair->smooth[1] = bulges ? PETSC_TRUE : PETSC_FALSE;
-  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || edge || bulges ? &shape : NULL, bulges,
+                              &rises, &pair->curve_error[1]));
+  pair->smooth[1] = rises ? PETSC_TRUE : PETSC_FALSE;
+  PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || edge || rises ? &shape : NULL, rises,
                                 pair->reach + assembly->motion, surface));
-  PetscCall(PetscFree(bulges));
+  PetscCall(PetscFree(rises));
   PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -201,9 +201,8 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
   if (meshed) PetscCall(LevelGetFacets(level, scene, spec->mortar.body, spec->mortar.side, &mortar));
   PetscCall(SideShapeCreate(level, &assembly->nonmortar, NULL, &assembly->shape));
   PetscCall(SmoothGapCreate(level, spec, &assembly->nonmortar, &assembly->shape,
-                            PairIsPolygonal_Private(level, &spec->nonmortar), &assembly->bulges,
-                            &pair->curve_error[0]));
-  if (spec->obstacle.kind == OBSTACLE_PLANE && !spec->gap) PetscCall(PetscFree(assembly->bulges));
+                            PairIsPolygonal_Private(level, &spec->nonmortar), &assembly->rises, &pair->curve_error[0]));
+  if (spec->obstacle.kind == OBSTACLE_PLANE && !spec->gap) PetscCall(PetscFree(assembly->rises));
   if (!assembly->gap_only) {
     PetscCall(ReachChoose(spec, level, support, &assembly->nonmortar, meshed ? &mortar : NULL, &partner.reach));
     if (meshed) PetscCall(ReachWiden(spec, level, &assembly->nonmortar, &mortar, &partner.reach));
@@ -213,8 +212,8 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
     PetscCall(PairCreateSurface_Private(level, &mortar, assembly, pair, &surface));
     partner.mortar = &surface;
   }
-  pair->smooth[0]            = assembly->bulges ? PETSC_TRUE : PETSC_FALSE;
-  partner.bulges             = assembly->bulges;
+  pair->smooth[0]            = assembly->rises ? PETSC_TRUE : PETSC_FALSE;
+  partner.rises              = assembly->rises;
   pair->num_facets_nonmortar = assembly->nonmortar.num;
   pair->num_facets_mortar    = mortar.num;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &pair->num_facets_nonmortar, 1, MPIU_INT, MPI_SUM, level->comm));
@@ -239,7 +238,7 @@ PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly)
   PetscCall(VecDestroy(&assembly->normals));
   PetscCall(VecDestroy(&assembly->directions));
   PetscCall(SideShapeDestroy(&assembly->shape));
-  PetscCall(PetscFree(assembly->bulges));
+  PetscCall(PetscFree(assembly->rises));
   PetscCall(FacetsDestroy(&assembly->nonmortar));
   PetscCall(PetscFree(assembly->status));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -250,11 +249,11 @@ static void PairTakePoints_Private(PairAssembly *assembly, Pair pair)
 {
   pair->points          = assembly->sums.points;
   pair->points->facets  = assembly->nonmortar;
-  pair->points->bulges  = assembly->bulges;
+  pair->points->rises   = assembly->rises;
   pair->points->normals = assembly->normals;
   assembly->sums.points = NULL;
   assembly->nonmortar   = (Facets){0};
-  assembly->bulges      = NULL;
+  assembly->rises       = NULL;
   assembly->normals     = NULL;
 }
 

@@ -10,7 +10,7 @@ typedef struct {
   const ScenePair  *spec;       /* borrowed */
   Facets            nonmortar;  /* of this rank */
   SideShape         shape;      /* of these facets */
-  PetscReal        *bulges;     /* of these facets, or NULL [num][ELEMENT_MAX_FACET_NODES][dim] */
+  PetscReal        *rises;      /* of these facets, or NULL [num][RISE_TERMS][dim] */
   Vec               normals;    /* directions of contact: ghosted, dim per node */
   Vec               directions; /* the same with their parts that supports fix, or NULL with gap_only */
   MortarIntegrals   sums;
@@ -28,7 +28,7 @@ PetscErrorCode PairAssemblyCreate(Scene scene, Level *level, const Support *supp
 /* Frees all data that the pair has not taken over. Collective. */
 PetscErrorCode PairAssemblyDestroy(PairAssembly *assembly);
 /* The level with displaced nodes. Rotates the normals of the nonmortar side's shape, and moves mortar facets
-   and their normals. Curvatures and bulges stay: displacements have the interpolation of the mesh.
+   and their normals. Curvatures and rises stay: displacements have the interpolation of the mesh.
    Collective.
    [in,out] assembly - its shape and own normals;
    [in,out] surface - or NULL; [out] moved - a copy of the level that borrows all arrays except its

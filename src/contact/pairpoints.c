@@ -53,7 +53,7 @@ PetscErrorCode PairPointsDestroy(PairPoints *points)
   PetscFunctionBeginUser;
   if (!*points) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FacetsDestroy(&(*points)->facets));
-  PetscCall(PetscFree((*points)->bulges));
+  PetscCall(PetscFree((*points)->rises));
   PetscCall(VecDestroy(&(*points)->normals));
   PetscCall(PetscFree((*points)->point));
   PetscCall(PetscFree5((*points)->type, (*points)->nodes, (*points)->cell, (*points)->material, (*points)->size));

@@ -16,7 +16,7 @@ typedef struct {
 
 struct _n_PairPoints {
   Facets       facets;          /* the nonmortar side's, of this rank */
-  PetscReal   *bulges;          /* of these facets, or NULL [facets][ELEMENT_MAX_FACET_NODES][dim] */
+  PetscReal   *rises;           /* of these facets, or NULL [facets][RISE_TERMS][dim] */
   Vec          normals;         /* directions of contact at its nodes: ghosted, dim per node */
   PetscInt     num, max;        /* points; room for them */
   PairPoint   *point;           /* facet after facet */

@@ -6,6 +6,8 @@
    facets. Only the gap is that of the curves, to first order: their distance from the facets along the ray is
    added. A formula of the gap is evaluated on the curve instead: it need not fall along the normal. */
 #include "kernel/arc.h"
+#include "kernel/rise.h"
+#include "kernel/vector.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/smoothgap.h"
@@ -37,53 +39,68 @@ static PetscReal SmoothGapPolygonError_Private(PetscInt dim, ElementType type, c
 }
 
 /* Largest deviation of a facet from its curve: a parabola deviates by s gamma^2 / 16 from an arc of angle 2
-   gamma and bulge s.
-   [in] bulge - of the facet of first order */
+   gamma and rise s, a curve of degree 4 by s gamma^4 / 54. [in] rise - of the facet */
 static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, const PetscReal X[], const PetscReal N[],
-                                             const PetscReal bulge[])
+                                             const PetscReal rise[])
 {
   const PetscInt num  = ElementNumNodes(ElementLinear(type));
   PetscReal      most = 0;
 
   for (PetscInt e = 0; e < ElementNumEdges(ElementLinear(type)); e++) {
-    const PetscInt *ends   = ElementEdgeNodes(ElementLinear(type), e);
-    PetscReal       bulges = 0, turn = 0;
+    const PetscInt  *ends    = ElementEdgeNodes(ElementLinear(type), e);
+    const PetscReal *more    = &rise[(RISE_CUBIC + 2 * e) * dim];
+    PetscReal        squares = 0, turn = 0;
 
     for (PetscInt k = 0; k < dim; k++) {
-      const PetscReal b = bulge[(num + e) * dim + k], mean = 0.5 * (X[ends[0] * dim + k] + X[ends[1] * dim + k]);
+      const PetscReal s = rise[(num + e) * dim + k], mean = 0.5 * (X[ends[0] * dim + k] + X[ends[1] * dim + k]);
 
-      bulges += ElementOrder(type) > 1 ? PetscSqr(X[(num + e) * dim + k] - mean) : b * b;
+      squares += ElementOrder(type) > 1 ? PetscSqr(X[(num + e) * dim + k] - mean) : s * s;
       turn += PetscSqr(N[ends[1] * dim + k] - N[ends[0] * dim + k]); // (2 sin gamma)^2
     }
-    most = PetscMax(most, PetscSqrtReal(bulges) * turn / 64);
+    turn *= VectorNorm(2 * dim, more) > 0 ? turn / 864 : 1. / 64;
+    most = PetscMax(most, PetscSqrtReal(squares) * turn);
   }
   return most;
 }
 
-/* Bulges of a facet of first order. Its vertices that hang are below the curve: bulges are those of the facet
-   between places on the curve, and the rise of these. Returns whether any is not zero. [in,out] X - of the
-   vertices, then on the curve */
-static PetscBool SmoothGapRiseFacet_Private(const Level *level, const Facets *facets, PetscInt f, PetscReal X[],
-                                            const PetscReal N[], PetscReal bulge[])
+/* Completes the rise of a facet by the normals that are better than means.
+   [in] X - on the curve; [in,out] rise - by ArcBulge(), or zero */
+static void SmoothGapComplete_Private(PetscInt dim, ElementType type, const SideShape *shape, PetscInt f,
+                                      const PetscReal X[], PetscReal rise[])
+{
+  const PetscInt num    = ElementNumNodes(type);
+  RiseFacet      facet  = {.X = X, .normal = &shape->normal[f * F * dim]};
+  PetscBool      smooth = PETSC_TRUE;
+
+  for (PetscInt i = 0; i < num; i++) {
+    if (!shape->known[f * F + i]) return;
+    smooth = (PetscBool)(smooth && shape->smooth[f * F + i]);
+  }
+  if (smooth) facet.curvature = &shape->curvature[f * F * dim * dim];
+  if (shape->quadric && VectorNorm(3, &shape->quadric[f].c[QUADRIC_LINEAR]) > 0) facet.quadric = &shape->quadric[f];
+  RiseComplete(type, &facet, rise);
+}
+
+/* The rise of a facet of first order. Its vertices that hang are below the curve: the rise is that of the
+   facet between places on the curve, and the rise of these. [in,out] X - of the vertices, then on the
+   curve */
+static void SmoothGapRiseFacet_Private(const Level *level, const Facets *facets, PetscInt f, const SideShape *shape,
+                                       PetscReal X[], PetscReal rise[])
 {
   const ElementType type = facets->type[f], high = ElementOfOrder(type, 2);
-  const PetscInt    dim = level->dim, num = ElementNumNodes(type);
-  PetscReal         phi[ELEMENT_MAX_NODES], rise[3 * F];
-  PetscBool         any;
+  const PetscInt    dim = level->dim, num                = ElementNumNodes(type);
+  PetscReal         phi[ELEMENT_MAX_NODES], hangs[3 * F] = {0};
 
-  for (PetscInt i = 0; i < num * dim; i++) {
-    rise[i] = level->hanging.rise[facets->nodes[f * F + i / dim] * dim + i % dim];
-    X[i] += rise[i];
+  for (PetscInt i = 0; i < num * dim && level->hanging.rise; i++) {
+    hangs[i] = level->hanging.rise[facets->nodes[f * F + i / dim] * dim + i % dim];
+    X[i] += hangs[i];
   }
-  any = ArcBulge(type, X, N, bulge);
-  for (PetscInt k = 0; k < ElementNumNodes(high); k++) {
+  if (ArcBulge(type, X, &shape->normal[f * F * dim], &shape->smooth[f * F], rise))
+    SmoothGapComplete_Private(dim, type, shape, f, X, rise);
+  for (PetscInt k = 0; k < ElementNumNodes(high) && level->hanging.rise; k++) {
     ElementShape(type, ElementNode(high, k), phi, NULL);
-    for (PetscInt i = 0; i < num * dim; i++) {
-      bulge[k * dim + i % dim] += phi[i / dim] * rise[i];
-      any = (PetscBool)(any || rise[i] != 0);
-    }
+    for (PetscInt i = 0; i < num * dim; i++) rise[k * dim + i % dim] += phi[i / dim] * hangs[i];
   }
-  return any;
 }
 
 /* The formula of the gap; NULL where it is measured. */
@@ -135,41 +152,43 @@ static PetscErrorCode SmoothGapFormulaFollows_Private(Expression gap, ElementTyp
 }
 
 PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets *facets, const SideShape *shape,
-                               PetscBool polygonal, PetscReal **bulges, PetscReal *left)
+                               PetscBool polygonal, PetscReal **rises, PetscReal *left)
 {
   const PetscInt   dim     = level->dim;
   const Expression formula = SmoothGapFormula_Private(spec);
-  PetscReal        X[3 * F], bulge[3 * F] = {0}, largest[2] = {0, 0};
+  PetscReal        X[3 * F], largest[2] = {0, 0};
 
   PetscFunctionBeginUser;
-  *bulges = NULL;
-  *left   = 0;
+  *rises = NULL;
+  *left  = 0;
   if (formula && polygonal) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscCalloc1(facets->num * F * dim + 1,
-                         bulges)); // not NULL on ranks without facets, too: NULL means that no rank has a curve
+  PetscCall(PetscCalloc1(facets->num * RISE_TERMS * dim + 1,
+                         rises)); // not NULL on ranks without facets, too: NULL means that no rank has a curve
   for (PetscInt f = 0; f < facets->num; f++) {
-    const ElementType type = facets->type[f];
-    const PetscReal  *N    = &shape->normal[f * F * dim];
+    const ElementType type                 = facets->type[f];
+    const PetscReal  *N                    = &shape->normal[f * F * dim];
+    PetscReal         rise[RISE_TERMS * 3] = {0};
     PetscBool         any;
 
     ContactFacetCoordinates(level, facets, f, X);
     if (polygonal && ElementOrder(type) == 1)
       largest[0] = PetscMax(largest[0], SmoothGapPolygonError_Private(dim, type, X, N));
     if (polygonal && ElementOrder(type) == 1) continue;
-    if (level->hanging.rise && ElementOrder(type) == 1)
-      any = SmoothGapRiseFacet_Private(level, facets, f, X, N, bulge);
-    else
-      any = ArcBulge(ElementLinear(type), X, N, bulge);
-    if (formula && any) PetscCall(SmoothGapFormulaFollows_Private(formula, ElementLinear(type), X, bulge, &any));
+    if (ElementOrder(type) == 1)
+      SmoothGapRiseFacet_Private(level, facets, f, shape, X, rise);
+    else if (!polygonal && !formula)
+      SmoothGapComplete_Private(dim, type, shape, f, X, rise);
+    any = RiseIsAny(type, rise);
+    if (formula && any) PetscCall(SmoothGapFormulaFollows_Private(formula, type, X, rise, &any));
     if (formula && !any) continue;
-    largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, bulge));
-    if (!any || ElementOrder(type) > 1) continue;
+    largest[0] = PetscMax(largest[0], SmoothGapCurveError_Private(dim, type, X, N, rise));
+    if (!any) continue;
     largest[1] = 1;
-    PetscCall(PetscArraycpy(&(*bulges)[f * F * dim], bulge, F * dim));
+    PetscCall(PetscArraycpy(&(*rises)[f * RISE_TERMS * dim], rise, RISE_TERMS * dim));
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPIU_REAL, MPIU_MAX, level->comm));
   *left = largest[0];
-  if (largest[1] == 0) PetscCall(PetscFree(*bulges));
+  if (largest[1] == 0) PetscCall(PetscFree(*rises));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -192,7 +211,7 @@ static void SmoothGapAlongRay_Private(const FacetPartner *partner, const ClipFac
 
 /* The gap on the facet by a formula, and that on the curve less this. */
 static PetscErrorCode SmoothGapOfFormula_Private(const FacetPartner *partner, const ClipFacet *facet,
-                                                 const PetscReal bulges[], ClipPoint *point, PetscReal *off)
+                                                 const PetscReal own[], ClipPoint *point, PetscReal *off)
 {
   const Expression formula = SmoothGapFormula_Private(partner->spec);
   PetscReal        x[3], rise[3] = {0, 0, 0}, phi[ELEMENT_MAX_NODES], gap;
@@ -200,7 +219,7 @@ static PetscErrorCode SmoothGapOfFormula_Private(const FacetPartner *partner, co
 
   PetscFunctionBeginUser;
   *off = 0;
-  if (bulges && ElementOrder(facet->type) == 1) ArcRise(facet->type, bulges, point->xi, rise);
+  if (own) RiseAt(facet->type, own, point->xi, rise);
   ElementSurface(facet->type, facet->X, point->xi, x, phi, NULL);
   PetscCall(ExpressionEvaluate(formula, partner->dim, x, &point->gap));
   for (PetscInt k = 0; k < partner->dim; k++) {
@@ -213,16 +232,16 @@ static PetscErrorCode SmoothGapOfFormula_Private(const FacetPartner *partner, co
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal bulges[],
+PetscErrorCode SmoothGapApply(const FacetPartner *partner, const ClipFacet *facet, const PetscReal rise[],
                               OverlapPoints *list, PetscReal *most)
 {
   const MortarSurface *mortar  = partner->mortar;
-  const PetscReal     *rise_m  = mortar ? mortar->bulges : NULL;
+  const PetscReal     *rise_m  = mortar ? mortar->rises : NULL;
   const Expression     formula = SmoothGapFormula_Private(partner->spec);
 
   PetscFunctionBeginUser;
   *most = 0;
-  if (!formula && !bulges && !rise_m) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!formula && !rise && !rise_m) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt p = 0; p < list->num; p++) {
     ClipPoint     *point = &list->point[p];
     const PetscInt f     = list->facet[p];
@@ -230,11 +249,10 @@ PetscErrorCode SmoothGapApply(const FacetPartner *partner, const ClipFacet *face
 
     SmoothGapAlongRay_Private(partner, facet, point->xi, n);
     if (formula)
-      PetscCall(SmoothGapOfFormula_Private(partner, facet, bulges, point, &off));
-    else if (bulges && ElementOrder(facet->type) == 1)
-      off -= ArcHeight(facet->type, bulges, point->xi, n);
-    if (!formula && rise_m && ElementOrder(mortar->type[f]) == 1)
-      off += ArcHeight(mortar->type[f], &rise_m[f * F * partner->dim], point->eta, n);
+      PetscCall(SmoothGapOfFormula_Private(partner, facet, rise, point, &off));
+    else if (rise)
+      off -= RiseAlong(facet->type, rise, point->xi, n);
+    if (!formula && rise_m) off += RiseAlong(mortar->type[f], &rise_m[f * RISE_TERMS * partner->dim], point->eta, n);
     point->gap += off;
     *most = PetscMax(*most, PetscAbsReal(off));
   }

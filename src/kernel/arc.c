@@ -5,7 +5,8 @@
    along the axis, so that the same holds. Each end has half of the sum: b = d.n1 and a = -d.n0 are equal on
    circles. Elsewhere half their sum counts, less a part rho^4 with rho = (b - a) / (b + a): nothing is left
    where one of them vanishes. rho is of the order of the edge, so that the part is beyond the error of any
-   curve through two points and normals. Where a surface is nearly flat along an edge, rho^2 would not be. */
+   curve through two points and normals. Where a surface is nearly flat along an edge, rho^2 would not be.
+   Between convex and concave directions of a surface rho is large: where it is smooth, all of it counts. */
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
@@ -16,7 +17,7 @@ static const PetscReal STRAIGHT_ARC = 1e-11;
 static const PetscReal SMOOTH_ARC = 1.9318516525781366;
 
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
-               PetscReal offset[])
+               PetscBool smooth, PetscReal offset[])
 {
   PetscReal d[3], n[3], a = 0, b = 0, dd = 0, nn = 0, along = 0, rho, rise;
 
@@ -29,9 +30,10 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
     dd += d[k] * d[k];
     nn += n[k] * n[k];
   }
-  if (a * b <= 0 || PetscMin(PetscAbsReal(a), PetscAbsReal(b)) <= STRAIGHT_ARC * PetscSqrtReal(dd)) return;
   if (nn < PetscSqr(SMOOTH_ARC)) return;
-  rho  = (b - a) / (b + a);
+  if (PetscAbsReal(a + b) <= 2 * STRAIGHT_ARC * PetscSqrtReal(dd)) return;
+  if (!smooth && (a * b <= 0 || PetscMin(PetscAbsReal(a), PetscAbsReal(b)) <= STRAIGHT_ARC * PetscSqrtReal(dd))) return;
+  rho  = smooth ? 0 : (b - a) / (b + a);
   rise = (1 - PetscSqr(PetscSqr(rho))) * (a + b) / 2 / (2 + PetscSqrtReal(nn));
   for (PetscInt k = 0; k < dim; k++) along += n[k] * d[k] / dd;
   for (PetscInt k = 0; k < dim; k++) n[k] -= along * d[k];
@@ -39,7 +41,8 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
   for (PetscInt k = 0; k < dim && nn > 0; k++) offset[k] = rise / PetscSqrtReal(nn) * n[k];
 }
 
-PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[])
+PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], const PetscBool smooth[],
+                   PetscReal bulge[])
 {
   const PetscInt dim = ElementDim(type) + 1, num = ElementNumNodes(type), num_edges = ElementNumEdges(type);
   const PetscInt num_all = ElementNumNodes(ElementOfOrder(type, 2));
@@ -47,10 +50,11 @@ PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], P
 
   for (PetscInt i = 0; i < num_all * dim; i++) bulge[i] = 0;
   for (PetscInt e = 0; e < num_edges; e++) {
-    const PetscInt *ends = ElementEdgeNodes(type, e);
+    const PetscInt  a = ElementEdgeNodes(type, e)[0], b = ElementEdgeNodes(type, e)[1];
+    const PetscBool both = (PetscBool)(smooth && smooth[a] && smooth[b]);
     PetscReal      *mine = &bulge[(num + e) * dim];
 
-    ArcOffset(dim, &X[ends[0] * dim], &N[ends[0] * dim], &X[ends[1] * dim], &N[ends[1] * dim], mine);
+    ArcOffset(dim, &X[a * dim], &N[a * dim], &X[b * dim], &N[b * dim], both, mine);
     for (PetscInt k = 0; k < dim; k++) {
       if (mine[k] != 0) any = PETSC_TRUE;
       if (num_all > num + num_edges) bulge[(num + num_edges) * dim + k] += mine[k] / 2;

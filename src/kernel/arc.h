@@ -8,16 +8,19 @@
    the chord. Exact on circles, spheres and cylinders along any direction. Exactly zero where the edge is
    straight at one end: a flat side that ends in a fillet, or at another flat one, stays flat. Also zero where
    it bends both ways, or turns by 30 degrees and more. Not collective.
-   [in] x0, n0, x1, n1 - [dim]; [out] offset - [dim] */
+   [in] x0, n0, x1, n1 - [dim]; [in] smooth - whether the surface around both ends is smooth: it may bend both
+   ways; [out] offset - [dim] */
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
-               PetscReal offset[]);
+               PetscBool smooth, PetscReal offset[]);
 
 /* Offsets of a facet of first order to the curves over its edges, at the nodes of the facet of second order.
    They are zero at vertices, those of the edges in their middles, half of the sum of these in the middle of a
    quad (Coons 1967). Returns whether any is not zero. Not collective.
-   [in] X, N - nodes and unit normals [num_nodes][dim];
+   [in] X, N - nodes and unit normals [num_nodes][dim]; [in] smooth - where the surface is smooth [num_nodes],
+   or NULL;
    [out] bulge - [nodes of the facet of second order][dim] */
-PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], PetscReal bulge[]);
+PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], const PetscBool smooth[],
+                   PetscReal bulge[]);
 
 /* This offset at xi. Not collective.
    [in] type - of first order; bulge - also at vertices; [out] rise - [dim] */

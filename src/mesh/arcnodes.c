@@ -44,7 +44,8 @@ static PetscErrorCode BulgesCreate_Private(Level *level, const ArcSides *sides, 
   PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
   for (PetscInt f = 0; f < facets->num; f++) {
     VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
-    if (!ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &(*bulge)[f * F * dim])) continue;
+    if (!ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &shape.smooth[f * F], &(*bulge)[f * F * dim]))
+      continue;
     *any = PETSC_TRUE;
     for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]) && shape.quadric; e++) {
       const PetscInt *ends = ElementEdgeNodes(facets->type[f], e);

@@ -317,7 +317,7 @@ static PetscReal FacetGetRise_Private(const Level *level, const Facets *facets, 
   PetscReal         X[3 * F], bulge[3 * F], most = 0;
 
   VectorGather(dim, ElementNumNodes(type), &facets->nodes[f * F], level->coords, X);
-  (void)ArcBulge(linear, X, normal, bulge);
+  (void)ArcBulge(linear, X, normal, NULL, bulge);
   for (PetscInt e = 0; e < ElementNumEdges(linear); e++) {
     const PetscInt *ends = ElementEdgeNodes(linear, e), middle = ElementNumNodes(linear) + e;
     PetscReal       way[3] = {0};

@@ -71,11 +71,12 @@ PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, co
 
   VectorGather(dim, ElementNumNodes(type), &facets->nodes[f * F], level->coords, X);
   for (PetscInt e = 0; e < ElementNumEdges(type); e++) {
-    const PetscInt   a = ElementEdgeNodes(type, e)[0] * dim, b = ElementEdgeNodes(type, e)[1] * dim;
+    const PetscInt  *ends = ElementEdgeNodes(type, e), a = ends[0] * dim, b = ends[1] * dim;
+    const PetscBool  smooth = (PetscBool)(shape->smooth[f * F + ends[0]] && shape->smooth[f * F + ends[1]]);
     const PetscReal *middle = &X[(ElementNumNodes(ElementLinear(type)) + e) * dim];
     PetscReal        offset[3], chord[3], way[3], turn[3], mean[3];
 
-    ArcOffset(dim, &X[a], &normal[a], &X[b], &normal[b], offset);
+    ArcOffset(dim, &X[a], &normal[a], &X[b], &normal[b], smooth, offset);
     if (shape->quadric) (void)QuadricTakeArc(&shape->quadric[f], &X[a], &X[b], offset, NULL);
     for (PetscInt k = 0; k < dim; k++) {
       chord[k] = X[b + k] - X[a + k];

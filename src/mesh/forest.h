@@ -22,9 +22,10 @@ typedef struct {
 /* A vertex on a facet of the first list, where that belongs to a smooth side or to a side fixed along its
    normal. */
 typedef struct {
-  PetscInt  facet;     /* of the first list, by its first entry */
-  PetscInt  edge;      /* of this facet, if the vertex is on one and the file is of second order; else -1 */
-  PetscReal normal[3]; /* of the smooth side there */
+  PetscInt  facet;        /* of the first list, by its first entry */
+  PetscInt  edge;         /* of this facet, if the vertex is on one and the file is of second order; else -1 */
+  PetscReal normal[3];    /* of the smooth side there */
+  PetscReal curvature[9]; /* shape operator of the polynomial (4.1c); zero where there is none */
 } SideCorner;
 
 /* The middle of an edge of the first list, on a facet of a smooth side, where a file of second order has a

@@ -104,7 +104,7 @@ static PetscReal HeightOfArcs_Private(PetscInt dim, ElementType type, const Pets
   PetscReal      bulge[3 * F];
   const PetscInt num = QuadratureRule(type, 2 * 2, xi, w);
 
-  if (!ArcBulge(type, X, N, bulge)) return 0;
+  if (!ArcBulge(type, X, N, NULL, bulge)) return 0;
   for (PetscInt q = 0; q < num; q++) {
     PetscReal       n[3];
     const PetscReal part = w[q] * ElementSurface(type, X, &xi[q * (dim - 1)], NULL, phi, n);
@@ -129,7 +129,7 @@ static PetscReal HeightOfHalves_Private(PetscInt dim, ElementType type, const Pe
       const PetscInt end = ElementEdgeNodes(type, e)[i], other = ElementEdgeNodes(type, e)[1 - i];
       PetscReal      offset[3], n[3];
 
-      ArcOffset(dim, &X[end * dim], &N[end * dim], &X[middle * dim], &N[middle * dim], offset);
+      ArcOffset(dim, &X[end * dim], &N[end * dim], &X[middle * dim], &N[middle * dim], PETSC_FALSE, offset);
       for (PetscInt k = 0; k < dim; k++) {
         const PetscReal a = X[end * dim + k], m = X[middle * dim + k], b = X[other * dim + k];
 

@@ -37,6 +37,9 @@ static const PetscReal SLOPES = 1. / 5, SECONDS = 1. / 20;
 /* Added to the diagonal, as a share of its mean: coefficients that nodes do not determine become small. */
 static const PetscReal UNDETERMINED = 1e-8;
 
+/* The cosine of planes that are orthogonal. */
+static const PetscReal ORTHOGONAL = 1e-6;
+
 /* What is known of a node. */
 typedef enum { NODE_POSITION, NODE_NORMAL, NODE_JET } NodeKind;
 
@@ -97,12 +100,19 @@ static void JetsAddSize_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, 
   at[SIZE_COUNT] += 1;
 }
 
-/* Whether two planes of symmetry meet at the node of a corner: its normal is tangential to both. */
-static PetscBool JetsIsCorner_Private(const Jets *jets, PetscInt c)
+/* Whether two planes of symmetry meet at a node and are not orthogonal. The normal is tangential to both, but
+   the facets around and their images in each plane do not surround the node. */
+static PetscBool JetsIsOblique_Private(const Jets *jets, PetscInt node)
 {
-  const PetscInt on = jets->planes->on[jets->nodes->corner[c]];
+  const PetscInt on = jets->planes->on[node];
 
-  return (PetscBool)((on & (on - 1)) != 0);
+  for (PetscInt q = 0; q < jets->planes->num; q++) {
+    for (PetscInt r = 0; r < q; r++) {
+      if (!(on >> q & 1) || !(on >> r & 1)) continue;
+      if (PetscAbsReal(VectorDot(3, jets->planes->normal[q], jets->planes->normal[r])) > ORTHOGONAL) return PETSC_TRUE;
+    }
+  }
+  return PETSC_FALSE;
 }
 
 /* Sets what is known before. Collective. [in] exact - [num][F][3]; [out] any - whether a node needs a jet */
@@ -119,7 +129,7 @@ static PetscErrorCode JetsBegin_Private(Jets *jets, const PetscReal exact[], Pet
       const PetscBool known = (PetscBool)(VectorNorm(3, &exact[3 * c]) > 0);
 
       if (jets->share[c] < INNER_TURN || jets->shape->ridge[c] != 0) continue;
-      node->kind = known || JetsIsCorner_Private(jets, c) ? NODE_NORMAL : NODE_JET;
+      node->kind = known || JetsIsOblique_Private(jets, jets->nodes->corner[c]) ? NODE_NORMAL : NODE_JET;
       PetscCall(PetscArraycpy(node->normal, known ? &exact[3 * c] : &jets->shape->normal[3 * c], 3));
     }
   }
@@ -206,24 +216,36 @@ static void JetsAddNode_Private(const Jets *jets, const Node *node, const Node *
   if (other->kind != NODE_POSITION) JetAddDerivatives_Private(jets->num, node->base, other, node->size, x, y, at);
 }
 
-/* Adds what corner j says of the surface around the node of corner i, and so does its image behind a plane of
-   symmetry. */
+/* Adds what another node says of the surface around a node, and so do its images behind planes of symmetry,
+   from plane q on. [in] d - from the node to the other one */
+static void JetsAddImages_Private(const Jets *jets, PetscInt own, PetscInt q, const Node *other, const PetscReal d[3],
+                                  PetscReal sums[])
+{
+  Node      image = *other;
+  PetscReal way[3];
+
+  while (q < jets->planes->num && !(jets->planes->on[own] >> q & 1)) q++;
+  if (q == jets->planes->num) {
+    JetsAddNode_Private(jets, &jets->node[own], other, d, &sums[own * SUMS]);
+    return;
+  }
+  for (PetscInt k = 0; k < 3; k++) way[k] = d[k];
+  SidePlanesReflect(jets->planes, 3, q, way);
+  SidePlanesReflect(jets->planes, 3, q, image.normal);
+  SidePlanesReflectMatrix(jets->planes, 3, q, image.curvature);
+  JetsAddImages_Private(jets, own, q + 1, other, d, sums);
+  JetsAddImages_Private(jets, own, q + 1, &image, way, sums);
+}
+
+/* Adds what corner j says of the surface around the node of corner i. */
 static void JetsAddPair_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
-  const PetscInt own   = jets->nodes->corner[f * F + i];
-  Node           other = jets->node[jets->nodes->corner[f * F + j]];
+  const PetscInt own = jets->nodes->corner[f * F + i];
   PetscReal      d[3];
 
   if (jets->node[own].kind != NODE_JET) return;
   JetsGetWay_Private(jets, f, i, j, d);
-  JetsAddNode_Private(jets, &jets->node[own], &other, d, &sums[own * SUMS]);
-  for (PetscInt q = 0; q < jets->planes->num; q++) {
-    if (!(jets->planes->on[own] >> q & 1)) continue;
-    SidePlanesReflect(jets->planes, 3, q, d);
-    SidePlanesReflect(jets->planes, 3, q, other.normal);
-    SidePlanesReflectMatrix(jets->planes, 3, q, other.curvature);
-    JetsAddNode_Private(jets, &jets->node[own], &other, d, &sums[own * SUMS]);
-  }
+  JetsAddImages_Private(jets, own, 0, &jets->node[jets->nodes->corner[f * F + j]], d, sums);
 }
 
 /* Coefficients of least squares. Returns whether there are enough equations. */
@@ -292,27 +314,30 @@ static PetscErrorCode JetsSweep_Private(Jets *jets)
     node->done = JetSolve_Private(jets->num, &sums[n * SUMS], node->p);
     if (!node->done) continue;
     JetGetNormal_Private(node, 0, 0, node->normal);
+    SidePlanesProject(jets->planes, 3, jets->planes->on[n], node->normal);
     JetGetCurvature_Private(node, node->curvature);
   }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-static void JetTake_Private(const PetscReal mean[3], const PetscReal n[3], PetscReal exact[3])
+/* Takes a normal that is not far from the mean over facets. Returns whether it did. */
+static PetscBool JetTake_Private(const PetscReal mean[3], const PetscReal n[3], PetscReal exact[3])
 {
-  if (!(VectorDot(3, mean, n) >= SURELY_SMOOTH)) return;
+  if (!(VectorDot(3, mean, n) >= SURELY_SMOOTH)) return PETSC_FALSE;
   for (PetscInt k = 0; k < 3; k++) exact[k] = n[k];
+  return PETSC_TRUE;
 }
 
 /* Ends of patches next to nodes with jets: the mean normal of these there. Collective.
-   [in,out] exact - [num][F][3] */
-static PetscErrorCode JetsSetEnds_Private(Jets *jets, PetscReal exact[])
+   [in,out] fit - its normals and spreads */
+static PetscErrorCode JetsSetEnds_Private(Jets *jets, SideFit *fit)
 {
   const PetscInt num = jets->facets->num * F;
   PetscReal     *sums;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(num * 3, &sums));
+  PetscCall(PetscCalloc1(num * 4, &sums));
   for (PetscInt f = 0; f < jets->facets->num; f++) {
     const PetscInt corners = ElementNumNodes(jets->facets->type[f]);
 
@@ -325,21 +350,25 @@ static PetscErrorCode JetsSetEnds_Private(Jets *jets, PetscReal exact[])
         JetsGetWay_Private(jets, f, j, i, d);
         JetGetNormal_Private(other, VectorDot(3, d, &other->base[3]) / other->size,
                              VectorDot(3, d, &other->base[6]) / other->size, n);
-        for (PetscInt k = 0; k < 3; k++) sums[(f * F + i) * 3 + k] += n[k];
+        for (PetscInt k = 0; k < 3; k++) sums[(f * F + i) * 4 + k] += n[k];
+        sums[(f * F + i) * 4 + 3] += 1;
       }
     }
   }
-  PetscCall(SideSumAtNodes(jets->nodes, 3, jets->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(jets->nodes, 4, jets->shape->ridge, sums));
   for (PetscInt c = 0; c < num; c++) {
-    if (VectorNorm(3, &exact[3 * c]) > 0 || FrameNormalize(3, &sums[3 * c]) == 0) continue;
-    JetTake_Private(&jets->shape->normal[3 * c], &sums[3 * c], &exact[3 * c]);
+    const PetscReal length = FrameNormalize(3, &sums[4 * c]);
+
+    if (VectorNorm(3, &fit->normal[3 * c]) > 0 || length == 0) continue;
+    fit->spread[c] = PetscSqrtReal(PetscMax(0, 1 - PetscSqr(length / sums[4 * c + 3])));
+    (void)JetTake_Private(&jets->shape->normal[3 * c], &sums[4 * c], &fit->normal[3 * c]);
   }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const SidePlanes *planes, const SideShape *shape,
-                                  const PetscReal share[], PetscReal exact[])
+                                  const PetscReal share[], SideFit *fit)
 {
   Jets      jets = {.level  = level,
                     .facets = nodes->facets,
@@ -352,7 +381,7 @@ PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const Sid
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(nodes->num, &jets.node));
-  PetscCall(JetsBegin_Private(&jets, exact, &any));
+  PetscCall(JetsBegin_Private(&jets, fit->normal, &any));
   for (PetscInt sweep = 0; sweep < SWEEPS && any; sweep++) {
     jets.num = sweep < FIRST_SWEEPS ? CUBIC : QUARTIC;
     PetscCall(JetsSweep_Private(&jets));
@@ -362,10 +391,12 @@ PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const Sid
       const PetscInt c    = f * F + i;
       const Node    *node = &jets.node[nodes->corner[c]];
 
-      if (node->kind == NODE_JET && node->done) JetTake_Private(&shape->normal[3 * c], node->normal, &exact[3 * c]);
+      if (node->kind != NODE_JET || !node->done || shape->ridge[c] != 0) continue;
+      if (JetTake_Private(&shape->normal[3 * c], node->normal, &fit->normal[3 * c]))
+        PetscCall(PetscArraycpy(&fit->curvature[9 * c], node->curvature, 9));
     }
   }
-  if (any) PetscCall(JetsSetEnds_Private(&jets, exact));
+  if (any) PetscCall(JetsSetEnds_Private(&jets, fit));
   PetscCall(PetscFree(jets.node));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

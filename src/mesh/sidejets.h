@@ -5,11 +5,18 @@
 #include "mesh/sideshape.h"
 #include "mesh/sideplanes.h"
 
+/* What is known of a side better than means over facets are, at the corners of its facets. */
+typedef struct {
+  PetscReal *normal;    /* zero where none is known [num][F][dim] */
+  PetscReal *curvature; /* of polynomials, zero where there is none; NULL in the plane [num][F][dim][dim] */
+  PetscReal *spread;    /* of normals at ends: how much those of neighbours differ there [num][F] */
+} SideFit;
+
 /* Normals of polynomials of degree 4 through the nodes of a patch (eq. 4.1c), where none is known yet. Means
    over facets are of first order on triangles in no order. Collective.
    [in] shape - normals close to these, ridges; [in] share - of a full turn, that the patch fills around a
-   node [num][F]; [in,out] exact - normals, zero where none is known [num][F][3] */
+   node [num][F]; [in,out] fit - with curvatures */
 PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const SidePlanes *planes, const SideShape *shape,
-                                  const PetscReal share[], PetscReal exact[]);
+                                  const PetscReal share[], SideFit *fit);
 
 #endif

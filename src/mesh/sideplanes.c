@@ -16,6 +16,9 @@ static const PetscReal SAME_DIRECTION = 1e-6;
    of triangles in no order, with 8 to 14 degrees a facet, by 0.001 to 0.04. Next to corners they are less
    accurate: most ends are enough. */
 static const PetscReal RIGHT_ANGLE_SHARE = 0.05, MOST_ENDS = 0.75;
+/* On coarse meshes extrapolation is less accurate. An angle is a right one up to this many spreads of the
+   normals that neighbours have there, if these are below a quarter of the means. */
+static const PetscReal SPREADS = 3, SPREAD_SHARE = 0.25;
 
 /* The direction of a normal in a list, which is added if there is room. Returns its number, or the number of
    them if there is none. [in,out] num, list - [SIDE_PLANES_MAX][3] */
@@ -125,49 +128,56 @@ PetscErrorCode SidePlanesDestroy(SidePlanes *planes)
 
 /* Of the nodes on a plane that are on no other one. */
 typedef struct {
-  PetscReal squares, num,
-      within; /* sum of squares of means along its normal; nodes; those with ends within the limit */
+  PetscReal mean, spread; /* sums of squares: of means along the normal of the plane, of spreads */
+  PetscReal num, within;  /* nodes; those with ends within the limit */
   PetscReal limit;
 } PlaneCount;
 
 /* Counts for all planes. Collective. [in,out] count - with limits [SIDE_PLANES_MAX] */
 static PetscErrorCode SidePlanesCount_Private(const SideSums *nodes, const SidePlanes *planes, PetscInt dim,
-                                              const PetscReal skip[], const PetscReal mean[], const PetscReal end[],
-                                              PlaneCount count[])
+                                              const SideEnds *ends, PlaneCount count[])
 {
   const Facets *facets = nodes->facets;
 
   PetscFunctionBeginUser;
   for (PetscInt q = 0; q < planes->num; q++) {
-    PetscReal sums[3] = {0, 0, 0};
+    PetscReal sums[4] = {0, 0, 0, 0};
 
     for (PetscInt f = 0; f < facets->num; f++) {
       for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
         const PetscInt c = f * F + i;
 
-        if (planes->on[nodes->corner[c]] != 1 << q || skip[c] != 0) continue;
-        sums[0] += PetscSqr(VectorDot(dim, &mean[c * dim], planes->normal[q]));
-        sums[1] += 1;
-        sums[2] += PetscAbsReal(VectorDot(dim, &end[c * dim], planes->normal[q])) <= count[q].limit ? 1 : 0;
+        if (planes->on[nodes->corner[c]] != 1 << q || ends->skip[c] != 0) continue;
+        sums[0] += PetscSqr(VectorDot(dim, &ends->mean[c * dim], planes->normal[q]));
+        sums[1] += PetscSqr(ends->spread[c]);
+        sums[2] += 1;
+        sums[3] += PetscAbsReal(VectorDot(dim, &ends->end[c * dim], planes->normal[q])) <= count[q].limit ? 1 : 0;
       }
     }
-    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPIU_REAL, MPIU_SUM, nodes->comm));
-    count[q] = (PlaneCount){.squares = sums[0], .num = sums[1], .within = sums[2], .limit = count[q].limit};
+    PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPIU_SUM, nodes->comm));
+    count[q] = (PlaneCount){sums[0], sums[1], sums[2], sums[3], count[q].limit};
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SidePlanesJudge(const SideSums *nodes, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
-                               const PetscReal end[], SidePlanes *planes)
+/* The largest share of a normal along that of the plane that may be an error of extrapolation. */
+static PetscReal PlaneCountLimit_Private(const PlaneCount *count)
+{
+  const PetscReal num  = PetscMax(count->num, 1);
+  const PetscReal mean = PetscSqrtReal(count->mean / num), spread = SPREADS * PetscSqrtReal(count->spread / num);
+
+  return FLAT_SIDE + PetscMax(RIGHT_ANGLE_SHARE * mean, PetscMin(spread, SPREAD_SHARE * mean));
+}
+
+PetscErrorCode SidePlanesJudge(const SideSums *nodes, PetscInt dim, const SideEnds *ends, SidePlanes *planes)
 {
   PlaneCount count[SIDE_PLANES_MAX] = {{0}};
   PetscInt   keep                   = 0;
 
   PetscFunctionBeginUser;
-  PetscCall(SidePlanesCount_Private(nodes, planes, dim, skip, mean, end, count));
-  for (PetscInt q = 0; q < planes->num; q++)
-    count[q].limit = FLAT_SIDE + RIGHT_ANGLE_SHARE * PetscSqrtReal(count[q].squares / PetscMax(count[q].num, 1));
-  PetscCall(SidePlanesCount_Private(nodes, planes, dim, skip, mean, end, count));
+  PetscCall(SidePlanesCount_Private(nodes, planes, dim, ends, count));
+  for (PetscInt q = 0; q < planes->num; q++) count[q].limit = PlaneCountLimit_Private(&count[q]);
+  PetscCall(SidePlanesCount_Private(nodes, planes, dim, ends, count));
   for (PetscInt q = 0; q < planes->num; q++)
     if (count[q].num > 0 && count[q].within >= MOST_ENDS * count[q].num) keep |= 1 << q;
   for (PetscInt n = 0; n < nodes->num; n++) planes->on[n] &= keep;

@@ -20,11 +20,17 @@ typedef struct {
 PetscErrorCode SidePlanesCreate(Level *level, const SideSums *sums, const Facets *held, SidePlanes *planes);
 PetscErrorCode SidePlanesDestroy(SidePlanes *planes);
 
+/* Normals of the other side where it ends, at the corners of facets. */
+typedef struct {
+  const PetscReal *skip;   /* not 0 at corners that have no part in it [num][F] */
+  const PetscReal *mean;   /* means over facets [num][F][dim] */
+  const PetscReal *end;    /* extrapolated [num][F][dim] */
+  const PetscReal *spread; /* of these [num][F] */
+} SideEnds;
+
 /* Drops the directions that the other side does not meet at a right angle: most of its normals at ends,
-   extrapolated, are far from there for means over one side. Collective.
-   [in] skip - not 0 at corners that have no part in it [num][F]; [in] mean, end - normals [num][F][dim] */
-PetscErrorCode SidePlanesJudge(const SideSums *nodes, PetscInt dim, const PetscReal skip[], const PetscReal mean[],
-                               const PetscReal end[], SidePlanes *planes);
+   extrapolated, are not far from there for means over one side, or for their own spread. Collective. */
+PetscErrorCode SidePlanesJudge(const SideSums *nodes, PetscInt dim, const SideEnds *ends, SidePlanes *planes);
 
 /* Makes a normal tangential to planes. Where these leave one direction, it is exact. Not collective.
    [in] on - bits of planes; [in,out] normal - unit [dim] */

@@ -29,6 +29,7 @@ typedef struct {
   SidePlanes    planes;
   PetscReal    *weighted; /* normal of each facet alone, with its weight [num][F][dim] */
   PetscReal    *share;    /* of a full turn around the node: of the facet, then of its patch [num][F] */
+  SideFit       fit;
 } Side;
 
 /* One corner of a facet at a feature edge. */
@@ -378,18 +379,18 @@ static PetscErrorCode SideShapeIsOfFile_Private(const Side *side, PetscBool *fil
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes normals that are known, which are not zero. Roundoff alone changes nothing: flat stays flat.
-   [in] exact - [num][F][dim], or NULL */
-static void SideShapeTake_Private(Side *side, const PetscReal exact[])
+/* Takes normals that are known, which are not zero. Roundoff alone changes nothing: flat stays flat. */
+static void SideShapeTake_Private(Side *side)
 {
   const PetscInt dim = side->level->dim;
 
-  for (PetscInt c = 0; c < side->facets->num * F && exact; c++) {
-    PetscReal *normal = &side->shape->normal[c * dim], most = 0;
+  for (PetscInt c = 0; c < side->facets->num * F; c++) {
+    const PetscReal *known  = &side->fit.normal[c * dim];
+    PetscReal       *normal = &side->shape->normal[c * dim], most = 0;
 
-    for (PetscInt k = 0; k < dim; k++) most = PetscMax(most, PetscAbsReal(exact[c * dim + k] - normal[k]));
-    if (most <= FLAT_SIDE || VectorNorm(dim, &exact[c * dim]) == 0) continue;
-    for (PetscInt k = 0; k < dim; k++) normal[k] = exact[c * dim + k];
+    for (PetscInt k = 0; k < dim; k++) most = PetscMax(most, PetscAbsReal(known[k] - normal[k]));
+    if (most <= FLAT_SIDE || VectorNorm(dim, known) == 0) continue;
+    for (PetscInt k = 0; k < dim; k++) normal[k] = known[k];
   }
 }
 
@@ -422,22 +423,38 @@ static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal me
 {
   const PetscInt dim = side->level->dim, num = side->facets->num * F;
   SideShape     *shape = side->shape;
-  PetscReal     *exact; // zero where none is known
+  SideFit       *fit   = &side->fit;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(num * dim, &exact));
+  PetscCall(PetscArrayzero(fit->normal, num * dim));
+  PetscCall(PetscArrayzero(fit->spread, num));
   PetscCall(PetscArraycpy(shape->normal, mean, num * dim));
   if (quadrics) {
-    PetscCall(PetscArraycpy(exact, quadrics, num * dim));
-    PetscCall(SideJetsGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, exact));
+    PetscCall(PetscArraycpy(fit->normal, quadrics, num * dim));
+    PetscCall(PetscArrayzero(fit->curvature, num * dim * dim));
+    PetscCall(SideJetsGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, fit));
   }
-  if (dim == 2) PetscCall(SideCurvesGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, exact));
-  SideShapeTake_Private(side, exact);
+  if (dim == 2)
+    PetscCall(SideCurvesGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, fit->normal));
+  SideShapeTake_Private(side);
   PetscCall(SideShapeSetCurvatures_Private(side, PETSC_TRUE, known));
   PetscCall(SideEndsSetNormals(side->level, &side->nodes, side->share, known, shape));
-  SideShapeTake_Private(side, exact);
-  PetscCall(PetscFree(exact));
+  SideShapeTake_Private(side);
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes the curvatures of polynomials, where there are. */
+static void SideShapeTakeFit_Private(Side *side)
+{
+  const PetscInt   dim = side->level->dim, size = dim * dim;
+  const PetscReal *curvature = side->fit.curvature;
+
+  for (PetscInt c = 0; c < side->facets->num * F; c++) {
+    side->shape->known[c] = (PetscBool)(dim == 2 || VectorNorm(dim, &side->fit.normal[c * dim]) > 0);
+    if (!curvature || VectorNorm(size, &curvature[c * size]) == 0) continue;
+    side->shape->smooth[c] = PETSC_TRUE;
+    for (PetscInt k = 0; k < size; k++) side->shape->curvature[c * size + k] = curvature[c * size + k];
+  }
 }
 
 /* Finds planes of symmetry, and lets the patch surround the nodes on them: the mean over the facets and their
@@ -453,7 +470,8 @@ static PetscErrorCode SideShapeFindPlanes_Private(Side *side, const Facets *held
   PetscCall(SidePlanesDestroy(&side->planes));
   PetscCall(SidePlanesCreate(side->level, &side->nodes, held ? held : &own, &side->planes));
   if (!held) PetscCall(FacetsDestroy(&own));
-  PetscCall(SidePlanesJudge(&side->nodes, dim, side->shape->ridge, mean, side->shape->normal, &side->planes));
+  PetscCall(SidePlanesJudge(
+      &side->nodes, dim, &(SideEnds){side->shape->ridge, mean, side->shape->normal, side->fit.spread}, &side->planes));
   for (PetscInt f = 0; f < side->facets->num && side->planes.num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
       const PetscInt c = f * F + i, on = side->planes.on[side->nodes.corner[c]];
@@ -475,7 +493,8 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
 
   PetscFunctionBeginUser;
   *shape = (SideShape){.num = facets->num};
-  PetscCall(PetscCalloc3(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge));
+  PetscCall(PetscCalloc5(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge, num,
+                         &shape->known, num, &shape->smooth));
   PetscCall(PetscCalloc4(num * dim, &side.weighted, num, &side.share, num, &known, num * dim, &mean));
   PetscCall(SideSumsCreate(level, facets, &side.nodes));
   SideShapeSetCorners_Private(&side);
@@ -489,16 +508,20 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
     PetscCall(PetscArraycpy(mean, shape->normal, num * dim));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
     if (file) PetscCall(PetscCalloc1(facets->num, &shape->quadric));
-    if (file) PetscCall(PetscCalloc1(num * dim, &quadrics));
+    PetscCall(PetscCalloc2(num * dim, &side.fit.normal, num, &side.fit.spread));
+    if (file) // not NULL on ranks without facets
+      PetscCall(PetscCalloc2(num * dim + 1, &quadrics, num * dim * dim + 1, &side.fit.curvature));
     if (file) PetscCall(SideQuadricsGetNormals(level, &side.nodes, shape, side.share, quadrics));
     PetscCall(SidePlanesCreate(level, &side.nodes, NULL, &side.planes));
     PetscCall(SideShapeSetNormals_Private(&side, mean, quadrics, known));
     if (file || dim == 2) PetscCall(SideShapeFindPlanes_Private(&side, held, mean));
     if (side.planes.num) PetscCall(SideShapeSetNormals_Private(&side, mean, quadrics, known));
-    PetscCall(PetscFree(quadrics));
     PetscCall(ArcNormalsTake(level, facets, shape));
     PetscCall(SideHangingSetShape(level, facets, shape));
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
+    SideShapeTakeFit_Private(&side);
+    PetscCall(PetscFree2(quadrics, side.fit.curvature));
+    PetscCall(PetscFree2(side.fit.normal, side.fit.spread));
     PetscCall(SideHangingSetShape(level, facets, shape));
   }
   PetscCall(SidePlanesDestroy(&side.planes));
@@ -510,7 +533,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
 PetscErrorCode SideShapeDestroy(SideShape *shape)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree3(shape->normal, shape->curvature, shape->ridge));
+  PetscCall(PetscFree5(shape->normal, shape->curvature, shape->ridge, shape->known, shape->smooth));
   PetscCall(PetscFree(shape->quadric));
   shape->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -203,15 +203,15 @@ static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, co
     PetscReal X[3 * F], bulge[3 * F];
 
     VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
-    any = ArcBulge(ElementLinear(facets->type[f]), X, &normal[f * F * dim], bulge);
+    any = ArcBulge(ElementLinear(facets->type[f]), X, &normal[f * F * dim], NULL, bulge);
   }
   return any;
 }
 
 /* Corners at the vertices of the first list, in their order. [in] num_round - facets that have normals
-   [num_round][F][dim] */
+*/
 static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, const Facets *facets,
-                                            const PetscInt entry[], PetscInt num_round, const PetscReal normal[])
+                                            const PetscInt entry[], PetscInt num_round, const SideShape *shape)
 {
   const PetscInt dim = level->dim, first = tree->list.num_cells;
   TreeArcs      *arcs = &tree->arcs;
@@ -235,7 +235,10 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
 
       corner->facet = entry[f];
       corner->edge  = -1;
-      if (f < num_round) PetscCall(PetscArraycpy(corner->normal, &normal[(f * F + i) * dim], dim));
+      if (f >= num_round) continue;
+      PetscCall(PetscArraycpy(corner->normal, &shape->normal[(f * F + i) * dim], dim));
+      if (dim == 3 && shape->smooth[f * F + i])
+        PetscCall(PetscArraycpy(corner->curvature, &shape->curvature[(f * F + i) * 9], 9));
     }
   }
   PetscCall(PetscFree(point));
@@ -292,6 +295,11 @@ static PetscBool TreeArcsIsOfFile_Private(const TreeArcs *arcs, PetscInt a, Pets
   return PETSC_FALSE;
 }
 
+static PetscBool SideCornersAreSmooth_Private(const SideCorner *from, const SideCorner *to)
+{
+  return (PetscBool)(VectorNorm(9, from->curvature) > 0 && VectorNorm(9, to->curvature) > 0);
+}
+
 /* The curve of an edge whose ends are on facets in common. Returns whether one of these is smooth.
    [out] offset - of its middle [dim]; zero where the curve is straight */
 static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords[], PetscInt a, PetscInt b,
@@ -316,7 +324,8 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
       edge = TreeArcsFindEdge_Private(arcs, low, mine, high, other);
       if (edge >= 0 && !arcs->middle[mine->facet * F + edge].arc) continue;
       round = PETSC_TRUE;
-      ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal, offset);
+      ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal,
+                SideCornersAreSmooth_Private(mine, other), offset);
       if (arcs->quadric)
         (void)QuadricTakeArc(&arcs->quadric[mine->facet], &coords[low * dim], &coords[high * dim], offset, NULL);
       for (PetscInt d = 0; d < dim; d++) {
@@ -384,7 +393,7 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   facets.num = num_round;
   arcs->any  = FacetsBend_Private(&level, &facets, shape.normal);
   facets.num = num;
-  if (arcs->any) PetscCall(TreeArcsBegin_Private(tree, &level, &facets, entry, num_round, shape.normal));
+  if (arcs->any) PetscCall(TreeArcsBegin_Private(tree, &level, &facets, entry, num_round, &shape));
   if (arcs->any && shape.quadric) {
     PetscCall(PetscCalloc1(tree->num_entries, &arcs->quadric));
     for (PetscInt f = 0; f < num_round; f++) arcs->quadric[entry[f]] = shape.quadric[f];
@@ -437,22 +446,47 @@ PetscErrorCode TreeArcsDestroy(TreeArcs *arcs)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adds to the normal in the middle of an edge, across it, what a cubic of the normals at both ends adds to
+   their sum: a quarter of (S_0 - S_1) d. Its curvature is the mean, with that along the edge of the cubic. */
+static void SideCornerTurn_Private(const PetscReal d[3], const SideCorner *from, const SideCorner *to,
+                                   SideCorner *middle)
+{
+  const PetscReal square = VectorDot(3, d, d);
+  PetscReal       turn[3], rest[3], along, twice;
+
+  if (!SideCornersAreSmooth_Private(from, to)) return;
+  for (PetscInt k = 0; k < 3; k++) {
+    const PetscReal first = VectorDot(3, &from->curvature[3 * k], d), last = VectorDot(3, &to->curvature[3 * k], d);
+
+    turn[k] = (first - last) / 4;
+    rest[k] = 3 * (to->normal[k] - from->normal[k]) / 2 - 3 * (first + last) / 4;
+  }
+  along = VectorDot(3, turn, d) / square;
+  twice = VectorDot(3, rest, d) / square;
+  for (PetscInt k = 0; k < 3; k++) middle->normal[k] += turn[k] - along * d[k];
+  for (PetscInt k = 0; k < 9; k++)
+    middle->curvature[k] = (from->curvature[k] + to->curvature[k]) / 2 +
+                           (rest[k / 3] * d[k % 3] + d[k / 3] * rest[k % 3] - twice * d[k / 3] * d[k % 3]) / square;
+}
+
 /* The normal in the middle of an edge: orthogonal to the edge on a circle, else that of a cubic with the
    normals at the ends. */
 static void SideCornerBetween_Private(PetscInt dim, const PetscReal x0[], const SideCorner *from, const PetscReal x1[],
                                       const SideCorner *to, SideCorner *middle)
 {
-  PetscReal a = 0, b = 0, square = 0, share;
+  PetscReal way[3], a = 0, b = 0, square = 0, share;
 
-  middle->facet = from->facet;
+  *middle = (SideCorner){.facet = from->facet};
   for (PetscInt d = 0; d < dim; d++) {
     middle->normal[d] = from->normal[d] + to->normal[d];
-    a -= from->normal[d] * (x1[d] - x0[d]);
-    b += to->normal[d] * (x1[d] - x0[d]);
-    square += PetscSqr(x1[d] - x0[d]);
+    way[d]            = x1[d] - x0[d];
+    a -= from->normal[d] * way[d];
+    b += to->normal[d] * way[d];
+    square += PetscSqr(way[d]);
   }
   share = (a * b > 0 ? 1.5 : 1) * (b - a) / square;
-  for (PetscInt d = 0; d < dim; d++) middle->normal[d] -= share * (x1[d] - x0[d]);
+  for (PetscInt d = 0; d < dim; d++) middle->normal[d] -= share * way[d];
+  if (dim == 3) SideCornerTurn_Private(way, from, to, middle);
   FrameNormalize(dim, middle->normal);
 }
 
@@ -474,7 +508,8 @@ static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const 
       SideCornerBetween_Private(dim, &coords[a * dim], &arcs->corner[i], &coords[b * dim], &arcs->corner[j], own);
       own->edge = TreeArcsFindEdge_Private(arcs, a, &arcs->corner[i], b, &arcs->corner[j]);
       if (arcs->quadric) {
-        ArcOffset(dim, &coords[a * dim], arcs->corner[i].normal, &coords[b * dim], arcs->corner[j].normal, offset);
+        ArcOffset(dim, &coords[a * dim], arcs->corner[i].normal, &coords[b * dim], arcs->corner[j].normal, PETSC_FALSE,
+                  offset);
         (void)QuadricTakeArc(&arcs->quadric[own->facet], &coords[a * dim], &coords[b * dim], offset, own->normal);
       }
       for (PetscInt d = 0; d < dim && middle; d++) own->normal[d] = middle->normal[d];

@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/frame.h"
+#include "kernel/rise.h"
 #include "kernel/vector.h"
 #include "result/estimatepairs.h"
 #include "result/hiddencontact.h"
@@ -307,7 +308,7 @@ static PetscErrorCode EstimateAddHidden_Private(const Fields fields, PetscInt p,
   PetscReal        x[3], normal[3], depth, squared, width, modulus, xi[2], weight, phi[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
-  if (points->bulges) facet.bulge = &points->bulges[f * F * dim];
+  if (points->rises) facet.rise = &points->rises[f * RISE_TERMS * dim];
   PetscCall(PetscArraycpy(facet.X, X, ElementNumNodes(facet.type) * dim));
   VectorGather(dim, ElementNumNodes(facet.type), nodes, values->u, facet.u);
   VectorGather(dim, ElementNumNodes(facet.type), nodes, values->normal, facet.normal);

@@ -6,7 +6,7 @@
 #include "result/hiddencontact.h"
 #include "base/compat.h"
 #include "contact/obstacle.h"
-#include "kernel/arc.h"
+#include "kernel/rise.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 
@@ -43,7 +43,7 @@ static PetscErrorCode FacetDepth_Private(const ObstacleFacet *facet, const Petsc
     n[i % dim] += phi[i / dim] * facet->normal[i];
   }
   FrameNormalize(dim, n);
-  if (facet->bulge && ElementOrder(facet->type) == 1) ArcRise(facet->type, facet->bulge, xi, rise);
+  if (facet->rise) RiseAt(facet->type, facet->rise, xi, rise);
   for (PetscInt k = 0; k < dim; k++) at[k] += rise[k];
   if (facet->spec->gap)
     PetscCall(ExpressionEvaluate(facet->spec->gap, dim, at, &gap));

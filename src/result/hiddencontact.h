@@ -9,7 +9,7 @@ typedef struct {
   const ScenePair *spec;
   PetscInt         dim;
   ElementType      type;
-  const PetscReal *bulge; /* where its curve is (ArcBulge()), or NULL */
+  const PetscReal *rise; /* of its curve (rise.h), or NULL */
   PetscReal        X[3 * ELEMENT_MAX_FACET_NODES], u[3 * ELEMENT_MAX_FACET_NODES], normal[3 * ELEMENT_MAX_FACET_NODES];
 } ObstacleFacet;
 

@@ -54,9 +54,9 @@ def write(path, inner, outer, seed, most=CELLS, order=1, place=point):
     edges = {3: [(0, 1), (1, 2), (2, 0)], 4: [(0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3)]}
     cells, facets = [], []
     for brick in itertools.product(*map(range, most)):
-        for order in itertools.permutations(range(3)):
+        for axes in itertools.permutations(range(3)):
             at, corners = list(brick), [number[brick]]
-            for axis in order:
+            for axis in axes:
                 at[axis] += 1
                 corners.append(number[tuple(at)])
             cells.append(corners)

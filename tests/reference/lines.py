@@ -97,21 +97,32 @@ class LinePair(Pair):
             self.normal = {node: self.direction(node, n, kappa[node], normal_m, kappa_m) for node, n in self.normal.items()}
 
     def rises(self, facets, normal):
-        """{straight facet: from its middle to that of the arc between the normals at its ends (eq. 4.5)}."""
+        """{facet: (s, p, q)}: from its middle to that of the arc between the normals at its ends (eq. 4.5), for a straight one; what the slopes at the ends
+        lack (eq. 4.5a)."""
         found = {}
-        if not facets or len(facets[0]) > 2 or self.scene.owner(facets).polygonal:
+        if not facets or self.scene.owner(facets).polygonal:
             return found
-        for a, b in facets:
+        for a, b, *middle in facets:
             step, mean = self.scene.points[b] - self.scene.points[a], normal[a] + normal[b]
             ends = [-normal[a] @ step, normal[b] @ step]  # alike on a circle
-            if min(ends) * max(ends) > 0 and min(map(abs, ends)) > FLAT * math.hypot(*step):
-                across, rho = mean - (mean @ step) / (step @ step) * step, (ends[1] - ends[0]) / sum(ends)
-                found[a, b] = unit(across) * (1 - rho**4) * sum(ends) / 2 / (2 + math.hypot(*mean))
+            across = unit(mean - (mean @ step) / (step @ step) * step)
+            rise = self.scene.points[middle[0]] - (self.scene.points[a] + self.scene.points[b]) / 2 if middle else np.zeros(2)
+            if not middle and min(ends) * max(ends) > 0 and min(map(abs, ends)) > FLAT * math.hypot(*step):
+                rho = (ends[1] - ends[0]) / sum(ends)
+                rise = across * (1 - rho**4) * sum(ends) / 2 / (2 + math.hypot(*mean))
+            lack = [-(step + sign * 4 * rise) @ normal[node] / (across @ normal[node]) for node, sign in ((a, 1), (b, -1))]
+            if rise.any():
+                smooth = max(map(abs, lack)) <= 2 * math.hypot(*rise)
+                parts = [(lack[0] + sign * lack[1]) / 2 * across if smooth else np.zeros(2) for sign in (1, -1)]
+                found[(a, b, *middle)] = [np.zeros(2) if middle else rise, *parts]
         return found
 
     def bulge(self, facet, s, n):
-        """How far along n the curve is off the facet; a parabola."""
-        return 4 * s * (1 - s) * (self.rise[tuple(facet)] @ n) if tuple(facet) in self.rise else 0.0
+        """How far along n the curve is off the facet; of degree 4."""
+        if tuple(facet) not in self.rise:
+            return 0.0
+        rise, p, q = self.rise[tuple(facet)]
+        return s * (1 - s) * (4 * rise + (1 - 2 * s) * (p + (1 - 2 * s) * q)) @ n
 
     def side_shape(self, facets):
         """{node: unit normal}, {node: curvature} of a smooth side. Circles: normals of the chords between nodes over their lengths (eq. 4.1); normals

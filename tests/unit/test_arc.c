@@ -22,7 +22,7 @@ static void TestCircle(void)
       N[2 * i + 1] = sign * PetscSinReal(angle[i]);
       for (PetscInt k = 0; k < 2; k++) X[2 * i + k] = sign * radius * N[2 * i + k];
     }
-    ArcOffset(2, X, N, &X[2], &N[2], offset);
+    ArcOffset(2, X, N, &X[2], &N[2], PETSC_FALSE, offset);
     for (PetscInt k = 0; k < 2; k++) x[k] = 0.5 * (X[k] + X[2 + k]) + offset[k];
     r = PetscSqrtReal(x[0] * x[0] + x[1] * x[1]);
     CHECK_NEAR(r, radius, EXACT * radius);
@@ -44,7 +44,7 @@ static void TestSphereAndCylinder(void)
       if (!sphere) X[3 * i + 2] = Uniform(-1, 1);
     }
     if (N[0] * N[3] + N[1] * N[4] + N[2] * N[5] < PetscCosReal(TURN)) continue;
-    ArcOffset(3, X, N, &X[3], &N[3], offset);
+    ArcOffset(3, X, N, &X[3], &N[3], PETSC_FALSE, offset);
     for (PetscInt k = 0; k < (sphere ? 3 : 2); k++) square += PetscSqr(0.5 * (X[k] + X[3 + k]) + offset[k]);
     CHECK_NEAR(PetscSqrtReal(square), 2, EXACT * 2);
     if (!sphere) CHECK_NEAR(offset[2], 0, EXACT);
@@ -69,7 +69,7 @@ static void TestEllipse(void)
       N[2 * i + 1] = PetscSinReal(t);
       FrameNormalize(2, &N[2 * i]);
     }
-    ArcOffset(2, X, N, &X[2], &N[2], offset);
+    ArcOffset(2, X, N, &X[2], &N[2], PETSC_FALSE, offset);
     for (PetscInt k = 0; k < 2; k++) x[k] = 0.5 * (X[k] + X[2 + k]) + offset[k];
     off = PetscAbsReal(PetscSqrtReal(PetscSqr(x[0] / 2) + PetscSqr(x[1])) - 1);
     CHECK(level == 0 || off < before / 14.5);
@@ -85,13 +85,13 @@ static void TestFlat(void)
   PetscReal       tilted[2] = {0.3, 1}, offset[2];
 
   FrameNormalize(2, tilted);
-  ArcOffset(2, x0, up, x1, up, offset);
+  ArcOffset(2, x0, up, x1, up, PETSC_FALSE, offset);
   CHECK(offset[0] == 0 && offset[1] == 0);
-  ArcOffset(2, x0, up, x1, nearly, offset);
+  ArcOffset(2, x0, up, x1, nearly, PETSC_FALSE, offset);
   CHECK(offset[0] == 0 && offset[1] == 0);
-  ArcOffset(2, x0, up, x1, tilted, offset);
+  ArcOffset(2, x0, up, x1, tilted, PETSC_FALSE, offset);
   CHECK(offset[0] == 0 && offset[1] == 0);
-  ArcOffset(2, x0, tilted, x1, tilted, offset);
+  ArcOffset(2, x0, tilted, x1, tilted, PETSC_FALSE, offset);
   CHECK(offset[0] == 0 && offset[1] == 0);
 }
 
@@ -116,7 +116,7 @@ static void TestBulge(void)
         X[3 * i + 1] = PetscSinReal(a) * PetscCosReal(b);
         X[3 * i + 2] = PetscSinReal(b);
       }
-      CHECK(ArcBulge(types[t], X, X, bulge));
+      CHECK(ArcBulge(types[t], X, X, NULL, bulge));
       for (PetscInt i = 0; i < 3 * num; i++) CHECK(bulge[i] == 0);
       (void)ElementSurface(types[t], X, inside, x, phi, n);
       off = PetscSqrtReal(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
@@ -151,7 +151,7 @@ static void TestQuadric(void)
       N[3 * i + 2] = -t / root;
       X[3 * i + 2] = z;
     }
-    ArcOffset(3, X, N, &X[3], &N[3], offset);
+    ArcOffset(3, X, N, &X[3], &N[3], PETSC_FALSE, offset);
     if (QuadricTakeArc(&cone, X, &X[3], offset, normal)) {
       for (PetscInt k = 0; k < 3; k++) x[k] = (X[k] + X[3 + k]) / 2 + offset[k];
       r = PetscSqrtReal(x[0] * x[0] + x[1] * x[1]);
@@ -160,7 +160,7 @@ static void TestQuadric(void)
       moved++;
     }
     for (PetscInt i = 0; i < 2; i++) (void)FrameNormalize(3, &X[3 * i]);
-    ArcOffset(3, X, X, &X[3], &X[3], offset);
+    ArcOffset(3, X, X, &X[3], &X[3], PETSC_FALSE, offset);
     CHECK(!QuadricTakeArc(&sphere, X, &X[3], offset, NULL));
   }
   CHECK(moved > 500);
