@@ -5,7 +5,6 @@
    the curved side, and their normals determine its curve between them. In integrals, points stay on the
    facets. Only the gap is that of the curves, to first order: their distance from the facets along the ray is
    added. A formula of the gap is evaluated on the curve instead: it need not fall along the normal. */
-#include "kernel/arc.h"
 #include "kernel/rise.h"
 #include "kernel/vector.h"
 #include "base/compat.h"
@@ -63,24 +62,6 @@ static PetscReal SmoothGapCurveError_Private(PetscInt dim, ElementType type, con
   return most;
 }
 
-/* Completes the rise of a facet by the normals that are better than means.
-   [in] X - on the curve; [in,out] rise - by ArcBulge(), or zero */
-static void SmoothGapComplete_Private(PetscInt dim, ElementType type, const SideShape *shape, PetscInt f,
-                                      const PetscReal X[], PetscReal rise[])
-{
-  const PetscInt num    = ElementNumNodes(type);
-  RiseFacet      facet  = {.X = X, .normal = &shape->normal[f * F * dim]};
-  PetscBool      smooth = PETSC_TRUE;
-
-  for (PetscInt i = 0; i < num; i++) {
-    if (!shape->known[f * F + i]) return;
-    smooth = (PetscBool)(smooth && shape->smooth[f * F + i]);
-  }
-  if (smooth) facet.curvature = &shape->curvature[f * F * dim * dim];
-  if (shape->quadric && VectorNorm(3, &shape->quadric[f].c[QUADRIC_LINEAR]) > 0) facet.quadric = &shape->quadric[f];
-  RiseComplete(type, &facet, rise);
-}
-
 /* The rise of a facet of first order. Its vertices that hang are below the curve: the rise is that of the
    facet between places on the curve, and the rise of these. [in,out] X - of the vertices, then on the
    curve */
@@ -95,8 +76,7 @@ static void SmoothGapRiseFacet_Private(const Level *level, const Facets *facets,
     hangs[i] = level->hanging.rise[facets->nodes[f * F + i / dim] * dim + i % dim];
     X[i] += hangs[i];
   }
-  if (ArcBulge(type, X, &shape->normal[f * F * dim], &shape->smooth[f * F], rise))
-    SmoothGapComplete_Private(dim, type, shape, f, X, rise);
+  SideShapeGetRise(shape, f, type, X, rise);
   for (PetscInt k = 0; k < ElementNumNodes(high) && level->hanging.rise; k++) {
     ElementShape(type, ElementNode(high, k), phi, NULL);
     for (PetscInt i = 0; i < num * dim; i++) rise[k * dim + i % dim] += phi[i / dim] * hangs[i];
@@ -177,7 +157,7 @@ PetscErrorCode SmoothGapCreate(Level *level, const ScenePair *spec, const Facets
     if (ElementOrder(type) == 1)
       SmoothGapRiseFacet_Private(level, facets, f, shape, X, rise);
     else if (!polygonal && !formula)
-      SmoothGapComplete_Private(dim, type, shape, f, X, rise);
+      SideShapeGetRise(shape, f, type, X, rise);
     any = RiseIsAny(type, rise);
     if (formula && any) PetscCall(SmoothGapFormulaFollows_Private(formula, type, X, rise, &any));
     if (formula && !any) continue;

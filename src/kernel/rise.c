@@ -1,13 +1,13 @@
 /* rise.c -- curves of degree 4 over the edges of a facet.
 
-   Let t run from 0 to 1 along an edge. A parabola has the curve's middle, but not the normals at its ends. With
-   D = t (1 - t) (1 - 2t) (p + q (1 - 2t)) it has both: D' is p + q at the first end, p - q at the second. Over a
-   triangle with the coordinates l of its vertices, t (1 - t) becomes l_i l_j, and 1 - 2t becomes l_i - l_j. Over
-   a quadrilateral D fades out towards the opposite edge (Coons 1967). With l_1 l_2 l_3 times a linear function a
-   triangle has all polynomials of degree 4. The function is determined by three points inside. On a quadric they
-   are known. Else lines from a vertex to the middle of the opposite edge tell the height z over the plane of the
-   vertices. Along them s is -1 to 1/2, and z(-1/4) = (12 z'(-1) + 9/4 z''(-1) + 10 z(1/2) - 3 z'(1/2)) / 32 is
-   exact for degree 4. */
+   Let t run from 0 to 1 along an edge. A parabola has the curve's middle, but not the normals at its ends.
+   With D = t (1 - t) (1 - 2t) (p + q (1 - 2t)) it has both: D' is p + q at the first end, p - q at the
+   second. Over a triangle with the coordinates l of its vertices, t (1 - t) becomes l_i l_j, and 1 - 2t
+   becomes l_i - l_j. Over a quadrilateral D fades out towards the opposite edge (Coons 1967). With l_1 l_2
+   l_3 times a linear function a triangle has all polynomials of degree 4. The function is determined by
+   three points inside. On a quadric they are known. Else lines from a vertex to the middle of the opposite
+   edge tell the height z over the plane of the vertices. Along them s is -1 to 1/2, and z(-1/4) = (12
+   z'(-1) + 9/4 z''(-1) + 10 z(1/2) - 3 z'(1/2)) / 32 is exact for degree 4. */
 #include "kernel/rise.h"
 #include "base/compat.h"
 #include "kernel/frame.h"

@@ -94,3 +94,42 @@ PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt f
   }
   return -1;
 }
+
+PetscErrorCode BodyListRaise(BodyList *list)
+{
+  const ElementType linear = list->num_cells ? (ElementType)list->cell_type[0] : ELEMENT_TRI3;
+  const ElementType type   = ElementOfOrder(linear, 2);
+  const PetscInt    dim = list->dim, corners = ElementNumNodes(linear), more = ElementNumNodes(type) - corners;
+  PetscInt          node = list->num_vertices;
+  BodyList          high;
+
+  PetscFunctionBeginUser;
+  PetscCall(BodyListAllocate(dim, list->num_cells, node + list->num_cells * more, list->num_facets, &high));
+  high.num_vertices = list->num_vertices;
+  high.num_facets   = list->num_facets;
+  PetscCall(PetscArraycpy(high.coords, list->coords, list->num_vertices * dim));
+  PetscCall(PetscArraycpy(high.facet_cell, list->facet_cell, list->num_facets));
+  PetscCall(PetscArraycpy(high.facet, list->facet, list->num_facets));
+  PetscCall(PetscArraycpy(high.facet_side, list->facet_side, list->num_facets));
+  for (PetscInt c = 0; c < list->num_cells; c++) {
+    PetscInt *nodes = &high.cell_nodes[c * ELEMENT_MAX_NODES];
+
+    high.cell_type[c] = type;
+    PetscCall(PetscArraycpy(nodes, &list->cell_nodes[c * ELEMENT_MAX_NODES], corners));
+    for (PetscInt k = corners; k < corners + more; k++, node++) {
+      PetscReal phi[ELEMENT_MAX_NODES];
+
+      nodes[k] = node;
+      ElementShape(linear, ElementNode(type, k), phi, NULL);
+      for (PetscInt d = 0; d < dim; d++) {
+        high.coords[node * dim + d] = 0;
+        for (PetscInt i = 0; i < corners; i++) high.coords[node * dim + d] += phi[i] * list->coords[nodes[i] * dim + d];
+      }
+    }
+  }
+  high.num_nonmanifold = list->num_nonmanifold;
+  PetscCall(PetscArraycpy(high.nonmanifold, list->nonmanifold, 3));
+  PetscCall(BodyListDestroy(list));
+  *list = high;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

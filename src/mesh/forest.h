@@ -8,6 +8,7 @@
 
 #include "kernel/bisect.h"
 #include "kernel/quadric.h"
+#include "kernel/rise.h"
 #include "mesh/meshimpl.h"
 
 /* What the first rank knows of a cell of a level. */
@@ -26,7 +27,15 @@ typedef struct {
   PetscInt  edge;         /* of this facet, if the vertex is on one and the file is of second order; else -1 */
   PetscReal normal[3];    /* of the smooth side there */
   PetscReal curvature[9]; /* shape operator of the polynomial (4.1c); zero where there is none */
+  PetscReal xi[2];        /* in the facet; in space */
 } SideCorner;
+
+/* The surface (4.5a) of a facet of the first list, of second order and not on arcs: new vertices are on it. */
+typedef struct {
+  PetscBool   any;
+  ElementType type;
+  PetscReal   X[3 * ELEMENT_MAX_FACET_NODES], rise[3 * RISE_TERMS];
+} SidePatch;
 
 /* The middle of an edge of the first list, on a facet of a smooth side, where a file of second order has a
    node. */
@@ -47,7 +56,8 @@ typedef struct {
   PetscInt   *start;   /* [num_vertices+1] */
   SideCorner *corner;  /* of each vertex [start[num_vertices]; room] */
   Quadric    *quadric; /* of each facet, by its first entry; NULL in the plane [num_entries] */
-  SideMiddle *middle;  /* of each facet's edges, by its first entry; NULL but for a file of second order
+  SidePatch  *patch; /* of each facet, by its first entry; NULL but for a file of second order in space [num_entries] */
+  SideMiddle *middle; /* of each facet's edges, by its first entry; NULL but for a file of second order
                          [num_entries][ELEMENT_MAX_FACET_NODES] */
 } TreeArcs;
 

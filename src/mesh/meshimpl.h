@@ -41,6 +41,8 @@ typedef struct {
 PetscErrorCode BodyListAllocate(PetscInt dim, PetscInt num_cells, PetscInt num_nodes, PetscInt max_facets,
                                 BodyList *list);
 PetscErrorCode BodyListDestroy(BodyList *list);
+/* Puts straight cells of order 2 in the place of those of order 1. Not collective. */
+PetscErrorCode BodyListRaise(BodyList *list);
 
 /* All sides of a body that the scene's boundaries and pairs name. */
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names);

@@ -28,6 +28,16 @@ typedef struct {
 PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets *held, SideShape *shape);
 PetscErrorCode SideShapeDestroy(SideShape *shape);
 
+/* Gives a facet the shape of another one. Not collective. [in] from, to - facets; [in,out] shape */
+PetscErrorCode SideShapeMove(PetscInt dim, PetscInt from, PetscInt to, SideShape *shape);
+
+/* Whether the normals at all nodes of a facet are better than means. Not collective. [in] type - of the facet */
+PetscBool SideShapeIsKnown(const SideShape *shape, PetscInt f, ElementType type);
+
+/* How far the side is above a facet, whose normals and curvatures are those of the shape (rise.h). Not collective.
+   [in] type - of the facet; [in] X - its nodes [num_nodes][dim]; [out] rise - [RISE_TERMS][dim] */
+void SideShapeGetRise(const SideShape *shape, PetscInt f, ElementType type, const PetscReal X[], PetscReal rise[]);
+
 /* Whether a patch is curved anywhere on any rank. Collective. */
 PetscErrorCode SideShapeIsCurved(const Level *level, const Facets *facets, const SideShape *shape, PetscBool *curved);
 

@@ -110,24 +110,31 @@ static PetscErrorCode TreeGetFacets_Private(const Tree *tree, const Level *level
 static PetscErrorCode TreeDropParabolas_Private(Tree *tree, const Level *level, PetscInt *num_round, Facets *facets,
                                                 PetscInt entry[], SideShape *shape)
 {
-  const PetscInt stride = F * level->dim;
-  PetscReal     *normal = shape->normal;
-  PetscInt       kept   = 0;
-  PetscBool      edge[F];
+  PetscInt  kept = 0;
+  PetscBool edge[F];
 
   PetscFunctionBeginUser;
   for (PetscInt f = 0; f < facets->num; f++) {
-    if (f < *num_round && !FacetIsOnArcs(level, facets, f, shape, edge)) {
+    const PetscBool on = (PetscBool)(f < *num_round && FacetIsOnArcs(level, facets, f, shape, edge));
+
+    const PetscBool known =
+        (PetscBool)(level->dim == 3 && f < *num_round && SideShapeIsKnown(shape, f, facets->type[f]));
+
+    if (f < *num_round && !on && !known) {
       tree->arcs.round[entry[f]] = PETSC_FALSE;
       continue;
     }
-    for (PetscInt e = 0; e < F && f < *num_round; e++) tree->arcs.middle[entry[f] * F + e].arc = edge[e];
+    if (known) tree->arcs.patch[entry[f]].any = PETSC_TRUE;
+    for (PetscInt e = 0; e < ElementNumEdges(TreeFacetType_Private(tree)) && on; e++) {
+      tree->arcs.middle[entry[f] * F + e].arc = edge[e];
+      if (known && e == 0) tree->arcs.patch[entry[f]].any = PETSC_FALSE;
+      if (known && !edge[e]) tree->arcs.patch[entry[f]].any = PETSC_TRUE;
+    }
     facets->type[kept] = facets->type[f];
     facets->cell[kept] = facets->cell[f];
     entry[kept]        = entry[f];
     PetscCall(PetscArraymove(&facets->nodes[kept * F], &facets->nodes[f * F], F));
-    if (f < *num_round) PetscCall(PetscArraymove(&normal[kept * stride], &normal[f * stride], stride));
-    if (f < *num_round && shape->quadric) shape->quadric[kept] = shape->quadric[f];
+    if (f < *num_round) PetscCall(SideShapeMove(level->dim, f, kept, shape));
     kept++;
   }
   *num_round -= facets->num - kept;
@@ -235,6 +242,7 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
 
       corner->facet = entry[f];
       corner->edge  = -1;
+      if (dim == 3) PetscCall(PetscArraycpy(corner->xi, ElementNode(TreeFacetType_Private(tree), i), 2));
       if (f >= num_round) continue;
       PetscCall(PetscArraycpy(corner->normal, &shape->normal[(f * F + i) * dim], dim));
       if (dim == 3 && shape->smooth[f * F + i])
@@ -242,46 +250,6 @@ static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, cons
     }
   }
   PetscCall(PetscFree(point));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Straight cells of order 2 in the place of those of order 1. */
-static PetscErrorCode BodyListRaise_Private(BodyList *list)
-{
-  const ElementType linear = list->num_cells ? (ElementType)list->cell_type[0] : ELEMENT_TRI3;
-  const ElementType type   = ElementOfOrder(linear, 2);
-  const PetscInt    dim = list->dim, corners = ElementNumNodes(linear), more = ElementNumNodes(type) - corners;
-  PetscInt          node = list->num_vertices;
-  BodyList          high;
-
-  PetscFunctionBeginUser;
-  PetscCall(BodyListAllocate(dim, list->num_cells, node + list->num_cells * more, list->num_facets, &high));
-  high.num_vertices = list->num_vertices;
-  high.num_facets   = list->num_facets;
-  PetscCall(PetscArraycpy(high.coords, list->coords, list->num_vertices * dim));
-  PetscCall(PetscArraycpy(high.facet_cell, list->facet_cell, list->num_facets));
-  PetscCall(PetscArraycpy(high.facet, list->facet, list->num_facets));
-  PetscCall(PetscArraycpy(high.facet_side, list->facet_side, list->num_facets));
-  for (PetscInt c = 0; c < list->num_cells; c++) {
-    PetscInt *nodes = &high.cell_nodes[c * ELEMENT_MAX_NODES];
-
-    high.cell_type[c] = type;
-    PetscCall(PetscArraycpy(nodes, &list->cell_nodes[c * ELEMENT_MAX_NODES], corners));
-    for (PetscInt k = corners; k < corners + more; k++, node++) {
-      PetscReal phi[ELEMENT_MAX_NODES];
-
-      nodes[k] = node;
-      ElementShape(linear, ElementNode(type, k), phi, NULL);
-      for (PetscInt d = 0; d < dim; d++) {
-        high.coords[node * dim + d] = 0;
-        for (PetscInt i = 0; i < corners; i++) high.coords[node * dim + d] += phi[i] * list->coords[nodes[i] * dim + d];
-      }
-    }
-  }
-  high.num_nonmanifold = list->num_nonmanifold;
-  PetscCall(PetscArraycpy(high.nonmanifold, list->nonmanifold, 3));
-  PetscCall(BodyListDestroy(list));
-  *list = high;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -298,6 +266,18 @@ static PetscBool TreeArcsIsOfFile_Private(const TreeArcs *arcs, PetscInt a, Pets
 static PetscBool SideCornersAreSmooth_Private(const SideCorner *from, const SideCorner *to)
 {
   return (PetscBool)(VectorNorm(9, from->curvature) > 0 && VectorNorm(9, to->curvature) > 0);
+}
+
+/* The middle of two vertices on the surface of a facet, from the middle between them. [out] offset - [3] */
+static void SidePatchOffset_Private(const SidePatch *patch, const PetscReal x0[3], const SideCorner *from,
+                                    const PetscReal x1[3], const SideCorner *to, PetscReal offset[3])
+{
+  const PetscReal xi[2] = {(from->xi[0] + to->xi[0]) / 2, (from->xi[1] + to->xi[1]) / 2};
+  PetscReal       x[3], phi[ELEMENT_MAX_NODES];
+
+  RiseAt(patch->type, patch->rise, xi, offset);
+  (void)ElementSurface(patch->type, patch->X, xi, x, phi, NULL);
+  for (PetscInt k = 0; k < 3; k++) offset[k] += x[k] - (x0[k] + x1[k]) / 2;
 }
 
 /* The curve of an edge whose ends are on facets in common. Returns whether one of these is smooth.
@@ -321,13 +301,18 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
       if (other->facet != mine->facet) continue;
       for (PetscInt d = 0; d < dim && arcs->flat[mine->facet]; d++) sums[dim + 1 + d] += arcs->plane[mine->facet][d];
       if (!arcs->round[mine->facet]) continue;
-      edge = TreeArcsFindEdge_Private(arcs, low, mine, high, other);
-      if (edge >= 0 && !arcs->middle[mine->facet * F + edge].arc) continue;
+      if (arcs->patch && arcs->patch[mine->facet].any) {
+        SidePatchOffset_Private(&arcs->patch[mine->facet], &coords[low * dim], mine, &coords[high * dim], other,
+                                offset);
+      } else {
+        edge = TreeArcsFindEdge_Private(arcs, low, mine, high, other);
+        if (edge >= 0 && !arcs->middle[mine->facet * F + edge].arc) continue;
+        ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal,
+                  SideCornersAreSmooth_Private(mine, other), offset);
+        if (arcs->quadric)
+          (void)QuadricTakeArc(&arcs->quadric[mine->facet], &coords[low * dim], &coords[high * dim], offset, NULL);
+      }
       round = PETSC_TRUE;
-      ArcOffset(dim, &coords[low * dim], mine->normal, &coords[high * dim], other->normal,
-                SideCornersAreSmooth_Private(mine, other), offset);
-      if (arcs->quadric)
-        (void)QuadricTakeArc(&arcs->quadric[mine->facet], &coords[low * dim], &coords[high * dim], offset, NULL);
       for (PetscInt d = 0; d < dim; d++) {
         sums[d] += offset[d];
         sums[dim] += PetscSqr(offset[d]);
@@ -364,6 +349,20 @@ static void TreeArcsSetMiddles_Private(const Tree *tree, BodyList *list)
   }
 }
 
+/* The surfaces of facets that are not on arcs. [in] num_round - facets that may have one */
+static void TreeSetPatches_Private(Tree *tree, const Level *level, const Facets *facets, const PetscInt entry[],
+                                   PetscInt num_round, const SideShape *shape)
+{
+  for (PetscInt f = 0; f < num_round; f++) {
+    SidePatch *patch = &tree->arcs.patch[entry[f]];
+
+    if (!patch->any) continue;
+    patch->type = facets->type[f];
+    VectorGather(3, ElementNumNodes(patch->type), &facets->nodes[f * F], level->coords, patch->X);
+    SideShapeGetRise(shape, f, patch->type, patch->X, patch->rise);
+  }
+}
+
 /* Normals of the first list, if its smooth sides bend. */
 static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
 {
@@ -387,6 +386,7 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
   facets.num = num;
   if (tree->list.curved_file) {
     PetscCall(PetscCalloc1(tree->num_entries * F, &arcs->middle));
+    if (level.dim == 3) PetscCall(PetscCalloc1(tree->num_entries, &arcs->patch));
     PetscCall(TreeDropParabolas_Private(tree, &level, &num_round, &facets, entry, &shape));
   }
   num        = facets.num;
@@ -398,6 +398,7 @@ static PetscErrorCode TreeArcsFind_Private(Tree *tree, Scene alone)
     PetscCall(PetscCalloc1(tree->num_entries, &arcs->quadric));
     for (PetscInt f = 0; f < num_round; f++) arcs->quadric[entry[f]] = shape.quadric[f];
   }
+  if (arcs->any && arcs->patch) TreeSetPatches_Private(tree, &level, &facets, entry, num_round, &shape);
   if (arcs->any && tree->list.curved_file)
     PetscCall(TreeSetMiddles_Private(tree, &level, &facets, entry, num_round, shape.normal));
   PetscCall(SideShapeDestroy(&shape));
@@ -428,7 +429,7 @@ PetscErrorCode TreeArcsCreate(Scene scene, PetscInt body, const SideNames *names
   if (!arcs->any) {
     PetscCall(TreeArcsDestroy(arcs));
   } else if (own->order > 1 && !high) {
-    PetscCall(BodyListRaise_Private(&tree->list));
+    PetscCall(BodyListRaise(&tree->list));
     TreeArcsSetMiddles_Private(tree, &tree->list);
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -441,6 +442,7 @@ PetscErrorCode TreeArcsDestroy(TreeArcs *arcs)
   PetscCall(PetscFree(arcs->start));
   PetscCall(PetscFree(arcs->middle));
   PetscCall(PetscFree(arcs->quadric));
+  PetscCall(PetscFree(arcs->patch));
   PetscCall(PetscFree(arcs->corner));
   *arcs = (TreeArcs){.any = PETSC_FALSE};
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -476,7 +478,7 @@ static void SideCornerBetween_Private(PetscInt dim, const PetscReal x0[], const 
 {
   PetscReal way[3], a = 0, b = 0, square = 0, share;
 
-  *middle = (SideCorner){.facet = from->facet};
+  *middle = (SideCorner){.facet = from->facet, .xi = {(from->xi[0] + to->xi[0]) / 2, (from->xi[1] + to->xi[1]) / 2}};
   for (PetscInt d = 0; d < dim; d++) {
     middle->normal[d] = from->normal[d] + to->normal[d];
     way[d]            = x1[d] - x0[d];
