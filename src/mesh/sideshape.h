@@ -31,10 +31,12 @@ PetscErrorCode SideShapeDestroy(SideShape *shape);
 /* Gives a facet the shape of another one. Not collective. [in] from, to - facets; [in,out] shape */
 PetscErrorCode SideShapeMove(PetscInt dim, PetscInt from, PetscInt to, SideShape *shape);
 
-/* Whether the normals at all nodes of a facet are better than means. Not collective. [in] type - of the facet */
+/* Whether the normals at all nodes of a facet are better than means. Not collective.
+   [in] type - of the facet */
 PetscBool SideShapeIsKnown(const SideShape *shape, PetscInt f, ElementType type);
 
-/* How far the side is above a facet, whose normals and curvatures are those of the shape (rise.h). Not collective.
+/* How far the side is above a facet, whose normals and curvatures are those of the shape (rise.h). Not
+   collective.
    [in] type - of the facet; [in] X - its nodes [num_nodes][dim]; [out] rise - [RISE_TERMS][dim] */
 void SideShapeGetRise(const SideShape *shape, PetscInt f, ElementType type, const PetscReal X[], PetscReal rise[]);
 

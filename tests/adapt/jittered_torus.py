@@ -1,7 +1,8 @@
 """A shrink fit of a tubular ring in another one, of tetrahedra whose nodes lie on their tori in no order: an eighth of the turn, above a plane of symmetry.
 
 The pressure is that of the axisymmetric model with maps. With normals that are means over facets, 137 of 357 nodes are in contact, and pressures are 1.26
-times as large in the mean, 13 times at most.
+times as large in the mean, 13 times at most. A file of second order has facets of 18 degrees. With parabolas over them pressures are off by 0.48 of the
+section's in the mean square, and by 0.96 on bisected meshes, which do not reach the tolerance.
 """
 import math
 
@@ -33,14 +34,25 @@ def judge(run):
     exact.require_solved()
     known = exact.table("fit")
     angles = np.arctan2(known["y"], np.array(known["x"]) - RING)
-    files = run.folder / "inner.msh", run.folder / "outer.msh"
-    write(files[0], 0.4, 1, 1, CELLS, place=place)
-    write(files[1], 1 - OVERLAP, 1.6, 2, CELLS, place=place)
-    fit = run.again("-inner_dm_plex_filename", str(files[0]), "-outer_dm_plex_filename", str(files[1]), "-order", "1", name="solid")
-    table = fit.table("fit")
-    x, y, z, pressure = (np.array(table[column]) for column in ("x", "y", "z", "pressure"))
     order = np.argsort(angles)
-    share = pressure / np.interp(np.arctan2(z, np.hypot(x, y) - RING), angles[order], np.array(known["pressure"])[order])
-    require(fit.pair("fit")["active_nodes"] > 0.96 * len(pressure), f"{fit.pair('fit')['active_nodes']} of {len(pressure)} nodes are in contact")
+    angles, pressures = angles[order], np.array(known["pressure"])[order]
+
+    def fit(name, cells, order, *words):
+        """A run of files, and the pressures of its nodes as shares of those of the section."""
+        files = run.folder / f"{name}_inner.msh", run.folder / f"{name}_outer.msh"
+        write(files[0], 0.4, 1, 1, cells, order, place)
+        write(files[1], 1 - OVERLAP, 1.6, 2, cells, order, place)
+        found = run.again("-inner_dm_plex_filename", str(files[0]), "-outer_dm_plex_filename", str(files[1]), *words, name=name)
+        x, y, z, pressure = (np.array(found.table("fit")[column]) for column in ("x", "y", "z", "pressure"))
+        return found, pressure / np.interp(np.arctan2(z, np.hypot(x, y) - RING), angles, pressures)
+
+    solid, share = fit("solid", CELLS, 1, "-order", "1")
+    require(solid.pair("fit")["active_nodes"] > 0.96 * len(share), f"{solid.pair('fit')['active_nodes']} of {len(share)} nodes are in contact")
     near("pressure, share of that of the section", share.mean(), 1, absolute=0.07)
     require(np.sqrt(np.mean((share - 1) ** 2)) < 0.6, f"pressures are off by {np.sqrt(np.mean((share - 1) ** 2)):.2g} times those of the section")
+    for name, words, most in (("second", ("-order", "2"), 0.2), ("bisected", ("-adapt", "0.08"), 0.3)):
+        found, share = fit(name, (10, 8, 2), 2, *words)
+        off = np.sqrt(np.mean((share - 1) ** 2))
+        require(found.pair("fit")["active_nodes"] > 0.99 * len(share), f"{name}: {found.pair('fit')['active_nodes']} of {len(share)} nodes are in contact")
+        require(off < most, f"{name}: pressures are off by {off:.2g} times those of the section")
+        near(f"{name}: energy", found.summary["energy"]["potential"], exact.summary["energy"]["potential"] / 8, relative=0.01)
