@@ -137,6 +137,22 @@ PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode FileSidesCreate(Level *level, ArcSides *sides)
+{
+  const Scene scene = level->scene;
+
+  PetscFunctionBeginUser;
+  *sides = (ArcSides){.any = PETSC_FALSE};
+  for (PetscInt b = 0; b < scene->num_bodies && level->dim == 3; b++) {
+    const SceneBody *body = &scene->bodies[b];
+
+    if (!body->curved_file || body->polygonal || body->order == 1) continue;
+    sides->any = PETSC_TRUE;
+    PetscCall(ArcSidesAdd_Private(level, b, sides));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ArcSidesDestroy(ArcSides *sides)
 {
   PetscFunctionBeginUser;

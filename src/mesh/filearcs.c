@@ -14,8 +14,7 @@ enum { F = ELEMENT_MAX_FACET_NODES };
 
 static const char PARABOLAS[] = "parabolas";
 
-/* The facet of two of its edges; of a line the line itself. */
-static PetscErrorCode FacetGetPoint_Private(const Level *level, const PetscInt edges[], PetscInt *facet)
+PetscErrorCode FacetGetPoint(const Level *level, const PetscInt edges[], PetscInt *facet)
 {
   const PetscInt *joined;
   PetscInt        num;
@@ -41,7 +40,7 @@ PetscErrorCode FacetsRaise(const Level *level, Facets *facets)
     const PetscInt    num = ElementNumNodes(linear), num_edges = ElementNumEdges(linear);
 
     PetscCall(FacetGetEdges(level, point, facets, f, edges));
-    PetscCall(FacetGetPoint_Private(level, edges, &facet));
+    PetscCall(FacetGetPoint(level, edges, &facet));
     for (PetscInt i = num; i < ElementNumNodes(type); i++)
       facets->nodes[f * F + i] = PointGetNode(level, i < num + num_edges ? edges[i - num] : facet);
     facets->type[f] = type;
@@ -141,7 +140,7 @@ PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, PetscBool *any)
     const PetscReal *at_middle = &at_node[f * F + ElementNumNodes(ElementLinear(facets->type[f]))];
 
     PetscCall(FacetGetEdges(level, point, facets, f, edges));
-    PetscCall(FacetGetPoint_Private(level, edges, &facet));
+    PetscCall(FacetGetPoint(level, edges, &facet));
     if (level->dim == 3 && !on[f]) PetscCall(DMLabelSetValue(label, facet, 1));
     for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]); e++)
       if (at_middle[e] == 0) PetscCall(DMLabelSetValue(label, edges[e], 1));

@@ -6,6 +6,8 @@
 #include "mesh/meshimpl.h"
 #include "mesh/sideshape.h"
 
+/* The point of a facet, by two of its edges; of a line the line itself. Not collective. */
+PetscErrorCode FacetGetPoint(const Level *level, const PetscInt edges[], PetscInt *facet);
 /* Adds the middle nodes to facets of first order, in bodies of order 2. Not collective. */
 PetscErrorCode FacetsRaise(const Level *level, Facets *facets);
 /* Whether refinement of a facet of second order may follow arcs: its middle nodes are at most s gamma^2/2

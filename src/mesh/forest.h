@@ -30,7 +30,8 @@ typedef struct {
   PetscReal xi[2];        /* in the facet; in space */
 } SideCorner;
 
-/* The surface (4.5a) of a facet of the first list, of second order and not on arcs. New vertices are on it. */
+/* The surface (4.5a) of a facet of the first list, of second order and not on arcs. New vertices are on
+   it. */
 typedef struct {
   PetscBool   any;
   ElementType type;

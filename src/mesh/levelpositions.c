@@ -180,6 +180,7 @@ PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, const Ref
   PetscCall(PetscMalloc1(fine->num_nodes * fine->dim + 1, &fine->unmapped));
   for (PetscInt d = 0; d < fine->dim; d++) PetscCall(LevelProlongCoord_Private(coarse, fine, d));
   if (sides->any) PetscCall(LevelArcVertices(coarse, sides, refinement, fine));
+  PetscCall(LevelRiseParabolas(coarse, refinement, fine));
   PetscCall(LevelCurveMiddles_Private(fine));
   PetscCall(LevelMapCoords_Private(fine, fine->unmapped));
   PetscFunctionReturn(PETSC_SUCCESS);

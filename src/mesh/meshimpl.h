@@ -262,11 +262,16 @@ PetscErrorCode LevelFindFileArcs(Level *level);
 PetscErrorCode LevelHasArcs(Level *level, const ArcSides *sides, PetscBool *any);
 /* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
 PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
+/* The same of bodies of order 2 from files of second order in space. Collective. */
+PetscErrorCode FileSidesCreate(Level *level, ArcSides *sides);
 PetscErrorCode ArcSidesDestroy(ArcSides *sides);
 /* Moves vertices of a refined level to the curves over coarse edges, or middle nodes of a level to the curves
    over its own edges. Positions are those before maps, which both levels have. Collective. */
 PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine);
 PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
+/* Moves new nodes of files of second order in space, where these are not on arcs, to the surface of (4.5a).
+   Collective. [in,out] fine - with positions on the parabolas of the coarse level */
+PetscErrorCode LevelRiseParabolas(Level *coarse, const Refinement *refinement, Level *fine);
 /* The offset of an edge, from those by its facets. Two facets of one patch give the same offset: it is half
    of their sum. Two facets of different patches give orthogonal offsets: it is their sum. Sides fixed along
    their normal stay flat. Returns whether the offset is not zero.

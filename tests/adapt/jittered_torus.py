@@ -50,7 +50,7 @@ def judge(run):
     require(solid.pair("fit")["active_nodes"] > 0.96 * len(share), f"{solid.pair('fit')['active_nodes']} of {len(share)} nodes are in contact")
     near("pressure, share of that of the section", share.mean(), 1, absolute=0.07)
     require(np.sqrt(np.mean((share - 1) ** 2)) < 0.6, f"pressures are off by {np.sqrt(np.mean((share - 1) ** 2)):.2g} times those of the section")
-    for name, words, most in (("second", ("-order", "2"), 0.2), ("bisected", ("-adapt", "0.08"), 0.3)):
+    for name, words, most in (("second", ("-order", "2"), 0.2), ("refined", ("-order", "2", "-dm_refine", "1"), 0.15), ("bisected", ("-adapt", "0.08"), 0.3)):
         found, share = fit(name, (10, 8, 2), 2, *words)
         off = np.sqrt(np.mean((share - 1) ** 2))
         require(found.pair("fit")["active_nodes"] > 0.99 * len(share), f"{name}: {found.pair('fit')['active_nodes']} of {len(share)} nodes are in contact")
