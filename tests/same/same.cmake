@@ -4,6 +4,7 @@ set(small_cam -cam_dm_plex_box_faces 22,1,4 -follower_dm_plex_box_faces 20,1,4)
 set(small_bolt_quarter -load_steps 1 -upper_dm_plex_box_faces 8,3,2 -lower_dm_plex_box_faces 8,2,2)
 set(small_fretting -load_steps 1,2,3)
 set(small_clamp -load_steps 0,0.6)
+set(small_clutch -load_steps 0,1 -pc_type cholesky) # its seam has a hundredth of the pressures: multigrid keeps too few digits of these
 set(small_ball_bearing -ball_dm_plex_box_faces 7,8,4 -ring_dm_plex_box_faces 6,7,4)
 set(small_crossed_cylinders -upper_dm_plex_box_faces 5,5,3 -lower_dm_plex_box_faces 4,4,3)
 set(small_hertz3d -sphere_dm_plex_box_faces 5,5,3 -block_dm_plex_box_faces 6,6,3)
