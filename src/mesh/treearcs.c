@@ -3,7 +3,8 @@
    Normals of the first list are those of its facets. Where an edge is halved, the new vertex is the middle of
    its arc, with the normal of the arc. In the middle of a face it is that of the arc between two opposite
    edges. On circles, spheres and cylinders both are exact for any sequence of
-   bisections. Flat sides stay exactly flat. */
+   bisections. Facets of a file of second order that are not on arcs have the surface of (4.5a) instead. Flat
+   sides stay exactly flat. */
 #include "kernel/arc.h"
 #include "kernel/vector.h"
 #include "mesh/forest.h"
