@@ -58,7 +58,10 @@ static PetscErrorCode InitializePetsc_Private(int argc, char **argv)
   if (sentence[0]) return UserErrorRaise(MPI_COMM_WORLD, "%s", sentence);
   PetscCall(UserErrorInitialize());
   if (ProcessIsOwn()) MemoryPrepare();
+  // a signal that arrives before UserErrorCatchSignals() ends the process, without PETSc's report
+  if (ProcessIsOwn()) PetscCall(PetscOptionsSetValue(NULL, "-no_signal_handler", NULL));
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  if (ProcessIsOwn()) PetscCall(PetscOptionsClearValue(NULL, "-no_signal_handler"));
   PetscCall(OptionsListExpanded());
   library.started_petsc = PETSC_TRUE;
   if (ProcessIsOwn()) PetscCall(UserErrorCatchSignals());
