@@ -9,7 +9,7 @@ MAX_FILE, MAX_FUNCTION, MAX_ARGUMENTS = 600, 80, 7
 MAX_WORDS = 1000  # of the front page
 MAX_LINE, MAX_COMMENT, MAX_CLAUSE = 132, 110, 25  # columns of a line, of one that is a comment alone; words between two marks of punctuation
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
-PETSC_OWN = re.compile(r"-(skip_petscrc|options_file_yaml|dm_plex_gmsh_\w+)")  # set or passed on here, not ours to document
+PETSC_OWN = re.compile(r"-(skip_petscrc|no_signal_handler|options_file_yaml|dm_plex_gmsh_\w+)")  # set or passed on here, not ours to document
 ROW = re.compile(r"^\| (\d+) \| `(\w+)` \| ([^|]*) \|", re.MULTILINE)
 
 
