@@ -15,7 +15,7 @@ typedef struct {
   const ArcSides   *sides; /* of second order, of the coarse level */
   const SideShape  *shape;
   const PetscInt   *point; /* of each coarse node */
-  PetscScalar      *sums;  /* of rises, and their number, at fine nodes */
+  PetscScalar      *sums;  /* at fine nodes: of rises, of their squares, of normals of flat sides */
 } Rises;
 
 /* The place of a part of a facet: the mean of its vertices, each a vertex, an edge's middle or the middle of

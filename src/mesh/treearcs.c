@@ -117,20 +117,19 @@ static PetscErrorCode TreeDropParabolas_Private(Tree *tree, const Level *level, 
   PetscFunctionBeginUser;
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscBool on = (PetscBool)(f < *num_round && FacetIsOnArcs(level, facets, f, shape, edge));
-
     const PetscBool known =
         (PetscBool)(level->dim == 3 && f < *num_round && SideShapeIsKnown(shape, f, facets->type[f]));
+    PetscBool arcs = on; // all edges are
 
     if (f < *num_round && !on && !known) {
       tree->arcs.round[entry[f]] = PETSC_FALSE;
       continue;
     }
-    if (known) tree->arcs.patch[entry[f]].any = PETSC_TRUE;
     for (PetscInt e = 0; e < ElementNumEdges(TreeFacetType_Private(tree)) && on; e++) {
       tree->arcs.middle[entry[f] * F + e].arc = edge[e];
-      if (known && e == 0) tree->arcs.patch[entry[f]].any = PETSC_FALSE;
-      if (known && !edge[e]) tree->arcs.patch[entry[f]].any = PETSC_TRUE;
+      arcs                                    = (PetscBool)(arcs && edge[e]);
     }
+    if (known) tree->arcs.patch[entry[f]].any = (PetscBool)!arcs;
     facets->type[kept] = facets->type[f];
     facets->cell[kept] = facets->cell[f];
     entry[kept]        = entry[f];
@@ -216,8 +215,7 @@ static PetscBool FacetsBend_Private(const Level *level, const Facets *facets, co
   return any;
 }
 
-/* Corners at the vertices of the first list, in their order. [in] num_round - facets that have normals
-*/
+/* Corners at the vertices of the first list, in their order. [in] num_round - facets that have normals */
 static PetscErrorCode TreeArcsBegin_Private(Tree *tree, const Level *level, const Facets *facets,
                                             const PetscInt entry[], PetscInt num_round, const SideShape *shape)
 {
