@@ -135,6 +135,23 @@ static void ContactNormalToParallel_Private(PetscInt dim, PetscReal height, Surf
   }
 }
 
+/* Finds the mortar facets whose boxes meet a cube around a point. Not collective.
+   [in] radius - of the cube; [out] hits - borrowed until the next query [num] */
+static PetscErrorCode ContactNormalQueryCube_Private(const FacetPartner *partner, const PetscReal x[], PetscReal radius,
+                                                     PetscInt *num, const PetscInt **hits)
+{
+  const PetscInt dim = partner->dim;
+  PetscReal      cube[6];
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < dim; k++) {
+    cube[k]       = x[k] - radius;
+    cube[dim + k] = x[k] + radius;
+  }
+  PetscCall(BoxTreeQuery(partner->mortar->tree, cube, num, hits));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The mortar facet next to a point, and its shape there. */
 typedef struct {
   PetscInt     facet;   /* -1 where there is none */
@@ -151,17 +168,12 @@ static PetscErrorCode ContactNormalSearchCube_Private(const FacetPartner *partne
 {
   const MortarSurface *mortar = partner->mortar;
   const PetscInt       dim    = partner->dim;
-  PetscReal            query[6];
   PetscInt             num;
   const PetscInt      *hits;
 
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) {
-    query[k]       = x[k] - radius;
-    query[dim + k] = x[k] + radius;
-  }
   *below = (FacetBelow){.facet = -1, .nearest = PetscSqr(partner->reach)};
-  PetscCall(BoxTreeQuery(mortar->tree, query, &num, &hits));
+  PetscCall(ContactNormalQueryCube_Private(partner, x, radius, &num, &hits));
   for (PetscInt h = 0; h < num; h++) {
     const PetscInt   f       = hits[h];
     const PetscReal *X       = &mortar->coords[f * F * dim];
@@ -225,17 +237,12 @@ static PetscErrorCode ContactNormalAreSeveral_Private(const FacetPartner *partne
 {
   const PetscInt  dim    = partner->dim;
   const PetscReal radius = PetscSqrtReal(below->nearest) + ALSO_NEAR * size;
-  PetscReal       query[6];
   PetscInt        num;
   const PetscInt *hits;
 
   PetscFunctionBeginUser;
   *several = PETSC_FALSE;
-  for (PetscInt k = 0; k < dim; k++) {
-    query[k]       = x[k] - radius;
-    query[dim + k] = x[k] + radius;
-  }
-  PetscCall(BoxTreeQuery(partner->mortar->tree, query, &num, &hits));
+  PetscCall(ContactNormalQueryCube_Private(partner, x, radius, &num, &hits));
   for (PetscInt h = 0; h < num && !*several; h++) {
     const ElementType type   = partner->mortar->type[hits[h]];
     PetscReal         eta[2] = {0};

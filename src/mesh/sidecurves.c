@@ -9,7 +9,6 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
-#include "mesh/sidepatch.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, AHEAD = 0, BEHIND = 1, SIDES = 2 };
 
@@ -29,12 +28,7 @@ typedef struct {
 enum { WAYS = 2 * sizeof(Way) / sizeof(PetscReal) };
 
 typedef struct {
-  Level            *level;
-  const Facets     *facets;
-  const SideSums   *nodes;
-  const SidePlanes *planes;
-  const SideShape  *shape;
-  const PetscReal  *share;
+  const SmoothSide *smooth;
   PetscReal        *two;    /* length of both parts at a node [num][F] */
   Way (*way)[SIDES];        /* of each corner's node [num][F] */
   PetscReal (*next)[SIDES]; /* 1 if the circle of the node at the other end passes through one part more [num][F] */
@@ -55,7 +49,7 @@ static PetscInt FacetGetNodes_Private(ElementType type, PetscInt along[])
 /* Whether the patch surrounds the node of a corner. */
 static PetscBool CurveIsInner_Private(const Curve *curve, PetscInt c)
 {
-  return (PetscBool)(PetscAbsReal(curve->share[c] - 1) < ONE_TURN && curve->shape->ridge[c] == 0);
+  return (PetscBool)(PetscAbsReal(curve->smooth->share[c] - 1) < ONE_TURN && curve->smooth->shape->ridge[c] == 0);
 }
 
 static PetscReal NormalsDistance_Private(const PetscReal a[2], const PetscReal b[2])
@@ -72,9 +66,7 @@ static void CurveMirror_Private(const Curve *curve, PetscInt f, PetscInt at, Pet
 {
   PetscReal d[2], along;
 
-  for (PetscInt k = 0; k < 2; k++)
-    d[k] = SideGetPosition(curve->level, curve->facets, f, from, k) -
-           SideGetPosition(curve->level, curve->facets, f, at, k);
+  SideGetWay(curve->smooth->level, curve->smooth->facets, f, at, from, d);
   along = 2 * VectorDot(2, n, d) / VectorDot(2, d, d);
   for (PetscInt k = 0; k < 2; k++) image[k] = n[k] - along * d[k];
 }
@@ -84,9 +76,9 @@ typedef void (*CurveVisit)(const Curve *curve, PetscInt f, PetscInt at, PetscInt
 
 static void CurveVisitWays_Private(const Curve *curve, CurveVisit visit)
 {
-  for (PetscInt f = 0; f < curve->facets->num; f++) {
+  for (PetscInt f = 0; f < curve->smooth->facets->num; f++) {
     PetscInt       along[3];
-    const PetscInt parts = FacetGetNodes_Private(curve->facets->type[f], along);
+    const PetscInt parts = FacetGetNodes_Private(curve->smooth->facets->type[f], along);
 
     for (PetscInt p = 0; p < parts; p++) {
       visit(curve, f, along[p], along[p + 1], AHEAD);
@@ -100,18 +92,17 @@ static void CurveSetLength_Private(const Curve *curve, PetscInt f, PetscInt at, 
   Way      *way = &curve->way[f * F + at][side];
   PetscReal d[2];
 
-  for (PetscInt k = 0; k < 2; k++)
-    d[k] =
-        SideGetPosition(curve->level, curve->facets, f, to, k) - SideGetPosition(curve->level, curve->facets, f, at, k);
+  SideGetWay(curve->smooth->level, curve->smooth->facets, f, at, to, d);
   way->length = VectorNorm(2, d);
   curve->two[f * F + at] += way->length;
 }
 
 static void CurveSetMirror_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side)
 {
-  const PetscReal *own = &curve->shape->normal[(f * F + at) * 2], *other = &curve->shape->normal[(f * F + to) * 2];
-  Way             *way = &curve->way[f * F + at][side];
-  PetscReal        image[2], turn;
+  const PetscReal *own   = &curve->smooth->shape->normal[(f * F + at) * 2],
+                  *other = &curve->smooth->shape->normal[(f * F + to) * 2];
+  Way      *way          = &curve->way[f * F + at][side];
+  PetscReal image[2], turn;
 
   CurveMirror_Private(curve, f, at, to, own, image);
   way->same = CurveIsInner_Private(curve, f * F + at) && NormalsDistance_Private(own, image) <= FLAT_SIDE ? 1 : 0;
@@ -125,15 +116,15 @@ static void CurveSetMirror_Private(const Curve *curve, PetscInt f, PetscInt at, 
 /* The part behind a plane of symmetry is the mirror image of that before it. */
 static void CurveAddImages_Private(const Curve *curve, PetscInt c)
 {
-  const PetscInt on = curve->planes->on[curve->nodes->corner[c]];
+  const PetscInt on = curve->smooth->planes->on[curve->smooth->nodes->corner[c]];
 
-  for (PetscInt q = 0; q < curve->planes->num; q++) {
+  for (PetscInt q = 0; q < curve->smooth->planes->num; q++) {
     for (PetscInt side = 0; side < SIDES && on >> q & 1; side++) {
       Way *way = curve->way[c];
 
       if (way[side].length > 0) continue;
       way[side] = way[1 - side];
-      SidePlanesReflect(curve->planes, 2, q, way[side].mirrored);
+      SidePlanesReflect(curve->smooth->planes, 2, q, way[side].mirrored);
       break;
     }
   }
@@ -166,10 +157,10 @@ static void NormalsMean_Private(const PetscReal own[2], const Way way[SIDES], Pe
 /* Normals of inner nodes. [out] exact - [num][F][2] */
 static void CurveSetInner_Private(const Curve *curve, PetscReal exact[])
 {
-  for (PetscInt f = 0; f < curve->facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(curve->facets->type[f]); i++) {
+  for (PetscInt f = 0; f < curve->smooth->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(curve->smooth->facets->type[f]); i++) {
       const PetscInt   c   = f * F + i;
-      const PetscReal *own = &curve->shape->normal[c * 2], *next = curve->next[c];
+      const PetscReal *own = &curve->smooth->shape->normal[c * 2], *next = curve->next[c];
       const Way       *way = curve->way[c];
       PetscReal       *n   = &exact[c * 2];
 
@@ -193,7 +184,7 @@ static void CurveSetInner_Private(const Curve *curve, PetscReal exact[])
 static void CurveSetEnd_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscReal exact[])
 {
   const PetscInt   c      = f * F + to;
-  const PetscReal *circle = &curve->shape->normal[c * 2], *n = &exact[c * 2];
+  const PetscReal *circle = &curve->smooth->shape->normal[c * 2], *n = &exact[c * 2];
   const PetscReal  mine = curve->two[f * F + at], rest = curve->two[c] - mine;
   PetscReal       *end = &exact[(f * F + at) * 2], image[2], turn;
 
@@ -207,32 +198,33 @@ static void CurveSetEnd_Private(const Curve *curve, PetscInt f, PetscInt at, Pet
 
 static void CurveSetEnds_Private(const Curve *curve, PetscReal exact[])
 {
-  for (PetscInt f = 0; f < curve->facets->num; f++) {
+  for (PetscInt f = 0; f < curve->smooth->facets->num; f++) {
     PetscInt       along[3];
-    const PetscInt parts = FacetGetNodes_Private(curve->facets->type[f], along);
+    const PetscInt parts = FacetGetNodes_Private(curve->smooth->facets->type[f], along);
 
     CurveSetEnd_Private(curve, f, along[0], along[1], exact);
     CurveSetEnd_Private(curve, f, along[parts], along[parts - 1], exact);
   }
 }
 
-PetscErrorCode SideCurvesGetNormals(Level *level, const SideSums *nodes, const SidePlanes *planes,
-                                    const SideShape *shape, const PetscReal share[], PetscReal exact[])
+PetscErrorCode SideCurvesGetNormals(const SmoothSide *side, PetscReal exact[])
 {
-  const PetscInt num   = nodes->facets->num * F;
-  Curve          curve = {
-               .level = level, .facets = nodes->facets, .nodes = nodes, .planes = planes, .shape = shape, .share = share};
+  const SideSums   *nodes  = side->nodes;
+  const SidePlanes *planes = side->planes;
+  const PetscReal  *ridge  = side->shape->ridge;
+  const PetscInt    num    = side->facets->num * F;
+  Curve             curve  = {.smooth = side};
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc4(num, &curve.two, num, &curve.way, num, &curve.next, num, &curve.mean));
   CurveVisitWays_Private(&curve, CurveSetLength_Private);
-  PetscCall(SideSumAtNodes(nodes, 1, shape->ridge, curve.two));
+  PetscCall(SideSumAtNodes(nodes, 1, ridge, curve.two));
   for (PetscInt c = 0; c < num && planes->num; c++) curve.two[c] *= planes->on[nodes->corner[c]] ? 2 : 1;
   CurveVisitWays_Private(&curve, CurveSetMirror_Private);
-  PetscCall(SideSumAtNodes(nodes, WAYS, shape->ridge, (PetscReal *)curve.way));
+  PetscCall(SideSumAtNodes(nodes, WAYS, ridge, (PetscReal *)curve.way));
   for (PetscInt c = 0; c < num; c++) CurveAddImages_Private(&curve, c);
   CurveVisitWays_Private(&curve, CurveSetNext_Private);
-  PetscCall(SideSumAtNodes(nodes, SIDES, shape->ridge, (PetscReal *)curve.next));
+  PetscCall(SideSumAtNodes(nodes, SIDES, ridge, (PetscReal *)curve.next));
   for (PetscInt c = 0; c < num && planes->num; c++) {
     PetscReal *next = curve.next[c];
 

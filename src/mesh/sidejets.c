@@ -15,7 +15,6 @@
 #include "kernel/dense.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
-#include "mesh/sidepatch.h"
 
 enum {
   F            = ELEMENT_MAX_FACET_NODES,
@@ -53,13 +52,8 @@ typedef struct {
 } Node;
 
 typedef struct {
-  Level            *level;
-  const Facets     *facets;
-  const SideSums   *nodes;
-  const SidePlanes *planes;
-  const SideShape  *shape;
-  const PetscReal  *share;
-  Node             *node; /* [nodes->num] */
+  const SmoothSide *side;
+  Node             *node; /* [side->nodes->num] */
   PetscInt          num;  /* coefficients in this sweep */
 } Jets;
 
@@ -68,11 +62,11 @@ typedef void (*JetsVisit)(Jets *jets, PetscInt f, PetscInt i, PetscInt j, PetscR
 
 static void JetsVisitPairs_Private(Jets *jets, JetsVisit visit, PetscReal sums[])
 {
-  for (PetscInt f = 0; f < jets->facets->num; f++) {
+  for (PetscInt f = 0; f < jets->side->facets->num; f++) {
     const PetscInt *corner;
     PetscInt        corners, parts;
 
-    FrameGetParts(ElementNumNodes(jets->facets->type[f]), &parts, &corners, &corner);
+    FrameGetParts(ElementNumNodes(jets->side->facets->type[f]), &parts, &corners, &corner);
     for (PetscInt p = 0; p < parts * corners; p++) {
       for (PetscInt q = 1; q < corners; q++)
         visit(jets, f, corner[p], corner[p / corners * corners + (p + q) % corners], sums);
@@ -80,21 +74,15 @@ static void JetsVisitPairs_Private(Jets *jets, JetsVisit visit, PetscReal sums[]
   }
 }
 
-static void JetsGetWay_Private(const Jets *jets, PetscInt f, PetscInt i, PetscInt j, PetscReal d[3])
-{
-  for (PetscInt k = 0; k < 3; k++)
-    d[k] = SideGetPosition(jets->level, jets->facets, f, j, k) - SideGetPosition(jets->level, jets->facets, f, i, k);
-}
-
 /* Sums distances of neighbours, heights over the tangent plane, and 1. */
 enum { SIZE_LENGTH, SIZE_HEIGHT, SIZE_COUNT, SIZES };
 
 static void JetsAddSize_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
-  const PetscInt node = jets->nodes->corner[f * F + i];
+  const PetscInt node = jets->side->nodes->corner[f * F + i];
   PetscReal     *at   = &sums[node * SIZES], d[3];
 
-  JetsGetWay_Private(jets, f, i, j, d);
+  SideGetWay(jets->side->level, jets->side->facets, f, i, j, d);
   at[SIZE_LENGTH] += VectorNorm(3, d);
   at[SIZE_HEIGHT] += PetscAbsReal(VectorDot(3, d, jets->node[node].normal));
   at[SIZE_COUNT] += 1;
@@ -104,12 +92,13 @@ static void JetsAddSize_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, 
    the facets around and their images in each plane do not surround the node. */
 static PetscBool JetsIsOblique_Private(const Jets *jets, PetscInt node)
 {
-  const PetscInt on = jets->planes->on[node];
+  const PetscInt on = jets->side->planes->on[node];
 
-  for (PetscInt q = 0; q < jets->planes->num; q++) {
+  for (PetscInt q = 0; q < jets->side->planes->num; q++) {
     for (PetscInt r = 0; r < q; r++) {
       if (!(on >> q & 1) || !(on >> r & 1)) continue;
-      if (PetscAbsReal(VectorDot(3, jets->planes->normal[q], jets->planes->normal[r])) > ORTHOGONAL) return PETSC_TRUE;
+      if (PetscAbsReal(VectorDot(3, jets->side->planes->normal[q], jets->side->planes->normal[r])) > ORTHOGONAL)
+        return PETSC_TRUE;
     }
   }
   return PETSC_FALSE;
@@ -121,22 +110,22 @@ static PetscErrorCode JetsBegin_Private(Jets *jets, const PetscReal exact[], Pet
   PetscReal *sums;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(jets->nodes->num * SIZES, &sums));
-  for (PetscInt f = 0; f < jets->facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(jets->facets->type[f]); i++) {
+  PetscCall(PetscCalloc1(jets->side->nodes->num * SIZES, &sums));
+  for (PetscInt f = 0; f < jets->side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(jets->side->facets->type[f]); i++) {
       const PetscInt  c     = f * F + i;
-      Node           *node  = &jets->node[jets->nodes->corner[c]];
+      Node           *node  = &jets->node[jets->side->nodes->corner[c]];
       const PetscBool known = (PetscBool)(VectorNorm(3, &exact[3 * c]) > 0);
 
-      if (jets->share[c] < INNER_TURN || jets->shape->ridge[c] != 0) continue;
-      node->kind = known || JetsIsOblique_Private(jets, jets->nodes->corner[c]) ? NODE_NORMAL : NODE_JET;
-      PetscCall(PetscArraycpy(node->normal, known ? &exact[3 * c] : &jets->shape->normal[3 * c], 3));
+      if (jets->side->share[c] < INNER_TURN || jets->side->shape->ridge[c] != 0) continue;
+      node->kind = known || JetsIsOblique_Private(jets, jets->side->nodes->corner[c]) ? NODE_NORMAL : NODE_JET;
+      PetscCall(PetscArraycpy(node->normal, known ? &exact[3 * c] : &jets->side->shape->normal[3 * c], 3));
     }
   }
   JetsVisitPairs_Private(jets, JetsAddSize_Private, sums);
-  PetscCall(SideSumsShare(jets->nodes, SIZES, sums));
+  PetscCall(SideSumsShare(jets->side->nodes, SIZES, sums));
   *any = PETSC_FALSE;
-  for (PetscInt n = 0; n < jets->nodes->num; n++) {
+  for (PetscInt n = 0; n < jets->side->nodes->num; n++) {
     const PetscReal *at   = &sums[n * SIZES];
     Node            *node = &jets->node[n];
 
@@ -146,7 +135,7 @@ static PetscErrorCode JetsBegin_Private(Jets *jets, const PetscReal exact[], Pet
     *any = (PetscBool)(*any || node->kind == NODE_JET);
   }
   PetscCall(PetscFree(sums));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, jets->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, jets->side->level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -224,15 +213,15 @@ static void JetsAddImages_Private(const Jets *jets, PetscInt own, PetscInt q, co
   Node      image = *other;
   PetscReal way[3];
 
-  while (q < jets->planes->num && !(jets->planes->on[own] >> q & 1)) q++;
-  if (q == jets->planes->num) {
+  while (q < jets->side->planes->num && !(jets->side->planes->on[own] >> q & 1)) q++;
+  if (q == jets->side->planes->num) {
     JetsAddNode_Private(jets, &jets->node[own], other, d, &sums[own * SUMS]);
     return;
   }
   for (PetscInt k = 0; k < 3; k++) way[k] = d[k];
-  SidePlanesReflect(jets->planes, 3, q, way);
-  SidePlanesReflect(jets->planes, 3, q, image.normal);
-  SidePlanesReflectMatrix(jets->planes, 3, q, image.curvature);
+  SidePlanesReflect(jets->side->planes, 3, q, way);
+  SidePlanesReflect(jets->side->planes, 3, q, image.normal);
+  SidePlanesReflectMatrix(jets->side->planes, 3, q, image.curvature);
   JetsAddImages_Private(jets, own, q + 1, other, d, sums);
   JetsAddImages_Private(jets, own, q + 1, &image, way, sums);
 }
@@ -240,12 +229,12 @@ static void JetsAddImages_Private(const Jets *jets, PetscInt own, PetscInt q, co
 /* Adds what corner j says of the surface around the node of corner i. */
 static void JetsAddPair_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
-  const PetscInt own = jets->nodes->corner[f * F + i];
+  const PetscInt own = jets->side->nodes->corner[f * F + i];
   PetscReal      d[3];
 
   if (jets->node[own].kind != NODE_JET) return;
-  JetsGetWay_Private(jets, f, i, j, d);
-  JetsAddImages_Private(jets, own, 0, &jets->node[jets->nodes->corner[f * F + j]], d, sums);
+  SideGetWay(jets->side->level, jets->side->facets, f, i, j, d);
+  JetsAddImages_Private(jets, own, 0, &jets->node[jets->side->nodes->corner[f * F + j]], d, sums);
 }
 
 /* Coefficients of least squares. Returns whether there are enough equations. */
@@ -303,18 +292,18 @@ static PetscErrorCode JetsSweep_Private(Jets *jets)
   PetscReal *sums;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(jets->nodes->num * SUMS, &sums));
-  for (PetscInt n = 0; n < jets->nodes->num; n++) FrameFromNormal(3, jets->node[n].normal, jets->node[n].base);
+  PetscCall(PetscCalloc1(jets->side->nodes->num * SUMS, &sums));
+  for (PetscInt n = 0; n < jets->side->nodes->num; n++) FrameFromNormal(3, jets->node[n].normal, jets->node[n].base);
   JetsVisitPairs_Private(jets, JetsAddPair_Private, sums);
-  PetscCall(SideSumsShare(jets->nodes, SUMS, sums));
-  for (PetscInt n = 0; n < jets->nodes->num; n++) {
+  PetscCall(SideSumsShare(jets->side->nodes, SUMS, sums));
+  for (PetscInt n = 0; n < jets->side->nodes->num; n++) {
     Node *node = &jets->node[n];
 
     if (node->kind != NODE_JET) continue;
     node->done = JetSolve_Private(jets->num, &sums[n * SUMS], node->p);
     if (!node->done) continue;
     JetGetNormal_Private(node, 0, 0, node->normal);
-    SidePlanesProject(jets->planes, 3, jets->planes->on[n], node->normal);
+    SidePlanesProject(jets->side->planes, 3, jets->side->planes->on[n], node->normal);
     JetGetCurvature_Private(node, node->curvature);
   }
   PetscCall(PetscFree(sums));
@@ -333,21 +322,21 @@ static PetscBool JetTake_Private(const PetscReal mean[3], const PetscReal n[3], 
    [in,out] fit - its normals and spreads */
 static PetscErrorCode JetsSetEnds_Private(Jets *jets, SideFit *fit)
 {
-  const PetscInt num = jets->facets->num * F;
+  const PetscInt num = jets->side->facets->num * F;
   PetscReal     *sums;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num * 4, &sums));
-  for (PetscInt f = 0; f < jets->facets->num; f++) {
-    const PetscInt corners = ElementNumNodes(jets->facets->type[f]);
+  for (PetscInt f = 0; f < jets->side->facets->num; f++) {
+    const PetscInt corners = ElementNumNodes(jets->side->facets->type[f]);
 
     for (PetscInt i = 0; i < corners; i++) {
       for (PetscInt j = 0; j < corners; j++) {
-        const Node *other = &jets->node[jets->nodes->corner[f * F + j]];
+        const Node *other = &jets->node[jets->side->nodes->corner[f * F + j]];
         PetscReal   d[3], n[3];
 
-        if (i == j || !other->done || jets->node[jets->nodes->corner[f * F + i]].kind != NODE_POSITION) continue;
-        JetsGetWay_Private(jets, f, j, i, d);
+        if (i == j || !other->done || jets->node[jets->side->nodes->corner[f * F + i]].kind != NODE_POSITION) continue;
+        SideGetWay(jets->side->level, jets->side->facets, f, j, i, d);
         JetGetNormal_Private(other, VectorDot(3, d, &other->base[3]) / other->size,
                              VectorDot(3, d, &other->base[6]) / other->size, n);
         for (PetscInt k = 0; k < 3; k++) sums[(f * F + i) * 4 + k] += n[k];
@@ -355,29 +344,23 @@ static PetscErrorCode JetsSetEnds_Private(Jets *jets, SideFit *fit)
       }
     }
   }
-  PetscCall(SideSumAtNodes(jets->nodes, 4, jets->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(jets->side->nodes, 4, jets->side->shape->ridge, sums));
   for (PetscInt c = 0; c < num; c++) {
     const PetscReal length = FrameNormalize(3, &sums[4 * c]);
 
     if (VectorNorm(3, &fit->normal[3 * c]) > 0 || length == 0) continue;
     fit->spread[c] = PetscSqrtReal(PetscMax(0, 1 - PetscSqr(length / sums[4 * c + 3])));
-    (void)JetTake_Private(&jets->shape->normal[3 * c], &sums[4 * c], &fit->normal[3 * c]);
+    (void)JetTake_Private(&jets->side->shape->normal[3 * c], &sums[4 * c], &fit->normal[3 * c]);
   }
   PetscCall(PetscFree(sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const SidePlanes *planes, const SideShape *shape,
-                                  const PetscReal share[], SideFit *fit)
+PetscErrorCode SideJetsGetNormals(const SmoothSide *side, SideFit *fit)
 {
-  Jets      jets = {.level  = level,
-                    .facets = nodes->facets,
-                    .nodes  = nodes,
-                    .planes = planes,
-                    .shape  = shape,
-                    .share  = share,
-                    .num    = CUBIC};
-  PetscBool any;
+  const SideSums *nodes = side->nodes;
+  Jets            jets  = {.side = side, .num = CUBIC};
+  PetscBool       any;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(nodes->num, &jets.node));
@@ -391,8 +374,8 @@ PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const Sid
       const PetscInt c    = f * F + i;
       const Node    *node = &jets.node[nodes->corner[c]];
 
-      if (node->kind != NODE_JET || !node->done || shape->ridge[c] != 0) continue;
-      if (JetTake_Private(&shape->normal[3 * c], node->normal, &fit->normal[3 * c]))
+      if (node->kind != NODE_JET || !node->done || side->shape->ridge[c] != 0) continue;
+      if (JetTake_Private(&side->shape->normal[3 * c], node->normal, &fit->normal[3 * c]))
         PetscCall(PetscArraycpy(&fit->curvature[9 * c], node->curvature, 9));
     }
   }

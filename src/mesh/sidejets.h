@@ -2,8 +2,7 @@
 #ifndef MORTISE_SIDEJETS_H
 #define MORTISE_SIDEJETS_H
 
-#include "mesh/sideshape.h"
-#include "mesh/sideplanes.h"
+#include "mesh/sidepatch.h"
 
 /* What is known of a side better than means over facets are, at the corners of its facets. */
 typedef struct {
@@ -13,10 +12,7 @@ typedef struct {
 } SideFit;
 
 /* Normals of polynomials of degree 4 through the nodes of a patch (eq. 4.1c), where none is known yet. Means
-   over facets are of first order on triangles in no order. Collective.
-   [in] shape - normals close to these, ridges; [in] share - of a full turn, that the patch fills around a
-   node [num][F]; [in,out] fit - with curvatures */
-PetscErrorCode SideJetsGetNormals(Level *level, const SideSums *nodes, const SidePlanes *planes, const SideShape *shape,
-                                  const PetscReal share[], SideFit *fit);
+   over facets are of first order on triangles in no order. Collective. [in,out] fit - with curvatures */
+PetscErrorCode SideJetsGetNormals(const SmoothSide *side, SideFit *fit);
 
 #endif

@@ -1,8 +1,19 @@
-/* sidepatch.h -- limits of the smooth patches of a side. Private. */
+/* sidepatch.h -- the smooth patches of a side: what fits of normals start from, and their limits. Private. */
 #ifndef MORTISE_SIDEPATCH_H
 #define MORTISE_SIDEPATCH_H
 
-#include "base/compat.h"
+#include "mesh/sideplanes.h"
+#include "mesh/sideshape.h"
+
+/* A side whose means over facets are known. All is borrowed. */
+typedef struct {
+  Level            *level;
+  const Facets     *facets; /* of this rank */
+  const SideSums   *nodes;  /* of the facets */
+  const SidePlanes *planes; /* of symmetry */
+  const SideShape  *shape;  /* normals (4.1), ridges */
+  const PetscReal  *share;  /* of a full turn, that the patch fills around a node [num][F] */
+} SmoothSide;
 
 /* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
    that. */

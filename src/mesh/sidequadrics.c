@@ -10,7 +10,6 @@
 #include "kernel/dense.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
-#include "mesh/sidepatch.h"
 
 enum {
   F         = ELEMENT_MAX_FACET_NODES,
@@ -158,29 +157,12 @@ static PetscBool QuadricFit_Private(const PetscReal G[GRAM], const PetscReal nor
   return QuadricPasses_Private(normal, size, c);
 }
 
-/* A side, and the parts of its facets with straight edges. */
-typedef struct {
-  Level           *level;
-  const Facets    *facets;
-  const SideSums  *nodes;
-  const SideShape *shape;
-  const PetscReal *share;
-} Patch;
-
-/* From corner i of a facet to corner j. */
-static void PatchGetWay_Private(const Patch *patch, PetscInt f, PetscInt i, PetscInt j, PetscReal d[3])
-{
-  for (PetscInt k = 0; k < 3; k++)
-    d[k] =
-        SideGetPosition(patch->level, patch->facets, f, j, k) - SideGetPosition(patch->level, patch->facets, f, i, k);
-}
-
 /* Points of the facets around each node. [out] sums - [num][F][SUMS] */
-static PetscErrorCode PatchSumPoints_Private(const Patch *patch, PetscReal sums[])
+static PetscErrorCode PatchSumPoints_Private(const SmoothSide *side, PetscReal sums[])
 {
   PetscFunctionBeginUser;
-  for (PetscInt f = 0; f < patch->facets->num; f++) {
-    const PetscInt  num = ElementNumNodes(patch->facets->type[f]);
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    const PetscInt  num = ElementNumNodes(side->facets->type[f]);
     const PetscInt *corner;
     PetscInt        corners, parts;
 
@@ -192,79 +174,79 @@ static PetscErrorCode PatchSumPoints_Private(const Patch *patch, PetscReal sums[
       for (PetscInt q = 0; q < corners; q++) {
         PetscReal d[3];
 
-        PatchGetWay_Private(patch, f, i, corner[p / corners * corners + q], d);
+        SideGetWay(side->level, side->facets, f, i, corner[p / corners * corners + q], d);
         GramAddPoint_Private(d, &sums[(f * F + i) * SUMS]);
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->nodes, SUMS, patch->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(side->nodes, SUMS, side->shape->ridge, sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* What a neighbour adds to the number of points in the two rings around a node: its edges to the outer ring,
    less one that ends where an edge of the next neighbour does. Both facets at the neighbour add half of it.
    [in] num - facets at the neighbour; [in] corners - of each */
-static PetscReal PointsBehind_Private(const Patch *patch, PetscInt f, PetscInt j, PetscReal num, PetscInt corners)
+static PetscReal PointsBehind_Private(const SmoothSide *side, PetscInt f, PetscInt j, PetscReal num, PetscInt corners)
 {
   const PetscInt c = f * F + j, own = corners == 3 ? 4 : 3; // edges in the facets at the node, and one
 
-  if (patch->shape->ridge[c] != 0) return 0;
-  return 0.5 * (num + (patch->share[c] < INNER_TURN ? 1 : 0) - own);
+  if (side->shape->ridge[c] != 0) return 0;
+  return 0.5 * (num + (side->share[c] < INNER_TURN ? 1 : 0) - own);
 }
 
 /* Points of the facets around the neighbours of each node.
    [in] ring - of PatchSumPoints_Private(); [out] sums - [num][F][SUMS] */
-static PetscErrorCode PatchSumRings_Private(const Patch *patch, const PetscReal ring[], PetscReal sums[])
+static PetscErrorCode PatchSumRings_Private(const SmoothSide *side, const PetscReal ring[], PetscReal sums[])
 {
   PetscFunctionBeginUser;
-  for (PetscInt f = 0; f < patch->facets->num; f++) {
+  for (PetscInt f = 0; f < side->facets->num; f++) {
     const PetscInt *corner;
     PetscInt        corners, parts;
 
-    FrameGetParts(ElementNumNodes(patch->facets->type[f]), &parts, &corners, &corner);
+    FrameGetParts(ElementNumNodes(side->facets->type[f]), &parts, &corners, &corner);
     for (PetscInt p = 0; p < parts * corners; p++) {
       const PetscInt i    = corner[p];
       PetscReal     *mine = &sums[(f * F + i) * SUMS];
 
-      if (patch->share[f * F + i] < INNER_TURN) continue;
+      if (side->share[f * F + i] < INNER_TURN) continue;
       mine[SUM_COUNT] += corners - 2;
       for (PetscInt q = 1; q < corners; q++) {
         const PetscInt   j     = corner[p / corners * corners + (p + q) % corners];
         const PetscReal *other = &ring[(f * F + j) * SUMS];
         PetscReal        d[3];
 
-        if (q == 1 || q == corners - 1) mine[SUM_COUNT] += PointsBehind_Private(patch, f, j, other[SUM_COUNT], corners);
-        if (patch->shape->ridge[f * F + j] != 0) continue;
-        PatchGetWay_Private(patch, f, i, j, d);
+        if (q == 1 || q == corners - 1) mine[SUM_COUNT] += PointsBehind_Private(side, f, j, other[SUM_COUNT], corners);
+        if (side->shape->ridge[f * F + j] != 0) continue;
+        SideGetWay(side->level, side->facets, f, i, j, d);
         GramAddShifted_Private(d, other, mine);
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->nodes, SUMS, patch->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(side->nodes, SUMS, side->shape->ridge, sums));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Fits quadrics to the points around inner nodes of the patch. [in] sums - of PatchSumRings_Private(); [out]
    quadric - about the node of each corner, zero where there is none [num][F][MONOMIALS] */
-static PetscErrorCode PatchFit_Private(const Patch *patch, const PetscReal sums[], PetscReal quadric[])
+static PetscErrorCode PatchFit_Private(const SmoothSide *side, const PetscReal sums[], PetscReal quadric[])
 {
   PetscInt *first; // corner of each node whose quadric is known, and one more
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc1(patch->level->num_nodes, &first));
-  for (PetscInt f = 0; f < patch->facets->num; f++) {
-    for (PetscInt i = 0; i < ElementNumNodes(patch->facets->type[f]); i++) {
-      const PetscInt c = f * F + i, node = patch->facets->nodes[c];
+  PetscCall(PetscCalloc1(side->level->num_nodes, &first));
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
+      const PetscInt c = f * F + i, node = side->facets->nodes[c];
       PetscReal     *own = &quadric[c * MONOMIALS];
 
-      if (patch->share[c] < INNER_TURN || patch->shape->ridge[c] != 0) continue;
+      if (side->share[c] < INNER_TURN || side->shape->ridge[c] != 0) continue;
       if (first[node]) {
         PetscCall(PetscArraycpy(own, &quadric[(first[node] - 1) * MONOMIALS], MONOMIALS));
         continue;
       }
       first[node] = c + 1;
       if (sums[c * SUMS + SUM_COUNT] < FREE + EVIDENCE) continue;
-      if (!QuadricFit_Private(&sums[c * SUMS], &patch->shape->normal[c * 3], own))
+      if (!QuadricFit_Private(&sums[c * SUMS], &side->shape->normal[c * 3], own))
         PetscCall(PetscArrayzero(own, MONOMIALS));
     }
   }
@@ -274,39 +256,39 @@ static PetscErrorCode PatchFit_Private(const Patch *patch, const PetscReal sums[
 
 /* A neighbour's quadric about this corner's node. Returns whether there is one that passes through the node.
    [in] i, j - corners of facet f; [out] c - [MONOMIALS] */
-static PetscBool PatchCarry_Private(const Patch *patch, const PetscReal quadric[], PetscInt f, PetscInt i, PetscInt j,
-                                    PetscReal c[])
+static PetscBool PatchCarry_Private(const SmoothSide *side, const PetscReal quadric[], PetscInt f, PetscInt i,
+                                    PetscInt j, PetscReal c[])
 {
   const PetscReal *other = &quadric[(f * F + j) * MONOMIALS];
   PetscReal        d[3];
 
   if (VectorNorm(3, &other[LINEAR]) == 0) return PETSC_FALSE;
-  PatchGetWay_Private(patch, f, j, i, d);
+  SideGetWay(side->level, side->facets, f, j, i, d);
   c[0] = QuadricValue(other, d, &c[LINEAR]);
   for (PetscInt k = SQUARE; k < MONOMIALS; k++) c[k] = other[k];
-  return QuadricPasses_Private(&patch->shape->normal[(f * F + i) * 3], VectorNorm(3, d), c);
+  return QuadricPasses_Private(&side->shape->normal[(f * F + i) * 3], VectorNorm(3, d), c);
 }
 
 /* Drops quadrics that do not pass through the points around all inner neighbours, too: one through five lines
    of a mesh that is extruded always exists. Collective.
    [in] sums - of PatchSumRings_Private(); [in,out] quadric */
-static PetscErrorCode PatchConfirm_Private(const Patch *patch, const PetscReal sums[], PetscReal quadric[])
+static PetscErrorCode PatchConfirm_Private(const SmoothSide *side, const PetscReal sums[], PetscReal quadric[])
 {
-  const PetscInt num = patch->facets->num * F;
+  const PetscInt num = side->facets->num * F;
   PetscReal     *against;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num, &against));
-  for (PetscInt f = 0; f < patch->facets->num; f++) {
-    const PetscInt n = ElementNumNodes(patch->facets->type[f]);
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    const PetscInt n = ElementNumNodes(side->facets->type[f]);
 
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt j = 0; j < n; j++) {
         const PetscReal *G = &sums[(f * F + j) * SUMS];
         PetscReal        c[MONOMIALS], distance = 0;
 
-        if (i == j || patch->share[f * F + j] < INNER_TURN || patch->shape->ridge[f * F + j] != 0) continue;
-        if (PatchCarry_Private(patch, quadric, f, j, i, c))
+        if (i == j || side->share[f * F + j] < INNER_TURN || side->shape->ridge[f * F + j] != 0) continue;
+        if (PatchCarry_Private(side, quadric, f, j, i, c))
           GramTransform_Private(1, c, G, &distance);
         else
           distance = PETSC_MAX_REAL;
@@ -314,7 +296,7 @@ static PetscErrorCode PatchConfirm_Private(const Patch *patch, const PetscReal s
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->nodes, 1, patch->shape->ridge, against));
+  PetscCall(SideSumAtNodes(side->nodes, 1, side->shape->ridge, against));
   for (PetscInt c = 0; c < num; c++) {
     if (against[c] > 0) PetscCall(PetscArrayzero(&quadric[c * MONOMIALS], MONOMIALS));
   }
@@ -323,30 +305,30 @@ static PetscErrorCode PatchConfirm_Private(const Patch *patch, const PetscReal s
 }
 
 /* Nodes without a quadric take the mean of their neighbours'. Collective. [in,out] quadric */
-static PetscErrorCode PatchSpread_Private(const Patch *patch, PetscReal quadric[])
+static PetscErrorCode PatchSpread_Private(const SmoothSide *side, PetscReal quadric[])
 {
-  const PetscInt num = patch->facets->num * F;
+  const PetscInt num = side->facets->num * F;
   PetscReal     *sums;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(num * MONOMIALS, &sums));
-  for (PetscInt f = 0; f < patch->facets->num; f++) {
-    const PetscInt n = ElementNumNodes(patch->facets->type[f]);
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    const PetscInt n = ElementNumNodes(side->facets->type[f]);
 
     for (PetscInt i = 0; i < n; i++) {
       for (PetscInt j = 0; j < n; j++) {
         PetscReal c[MONOMIALS];
 
-        if (i == j || !PatchCarry_Private(patch, quadric, f, i, j, c)) continue;
+        if (i == j || !PatchCarry_Private(side, quadric, f, i, j, c)) continue;
         for (PetscInt k = 0; k < MONOMIALS; k++) sums[(f * F + i) * MONOMIALS + k] += c[k];
       }
     }
   }
-  PetscCall(SideSumAtNodes(patch->nodes, MONOMIALS, patch->shape->ridge, sums));
+  PetscCall(SideSumAtNodes(side->nodes, MONOMIALS, side->shape->ridge, sums));
   for (PetscInt c = 0; c < num; c++) {
     PetscReal *own = &quadric[c * MONOMIALS], *sum = &sums[c * MONOMIALS];
 
-    if (VectorNorm(3, &own[LINEAR]) > 0 || VectorNorm(3, &sum[LINEAR]) == 0 || patch->shape->ridge[c] != 0) continue;
+    if (VectorNorm(3, &own[LINEAR]) > 0 || VectorNorm(3, &sum[LINEAR]) == 0 || side->shape->ridge[c] != 0) continue;
     for (PetscInt k = 0; k < MONOMIALS; k++) own[k] = sum[k] / VectorNorm(3, &sum[LINEAR]);
   }
   PetscCall(PetscFree(sums));
@@ -355,10 +337,10 @@ static PetscErrorCode PatchSpread_Private(const Patch *patch, PetscReal quadric[
 
 /* The quadric of each facet: one of its corners', if it passes through all of its nodes.
    [in] quadric - of corners; [out] of_facet - zero where there is none [num] */
-static void PatchSetFacets_Private(const Patch *patch, const PetscReal quadric[], Quadric of_facet[])
+static void PatchSetFacets_Private(const SmoothSide *side, const PetscReal quadric[], Quadric of_facet[])
 {
-  for (PetscInt f = 0; f < patch->facets->num; f++) {
-    const PetscInt n     = ElementNumNodes(patch->facets->type[f]);
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    const PetscInt n     = ElementNumNodes(side->facets->type[f]);
     PetscBool      found = PETSC_FALSE;
 
     for (PetscInt i = 0; i < n && !found; i++) {
@@ -366,30 +348,28 @@ static void PatchSetFacets_Private(const Patch *patch, const PetscReal quadric[]
 
       found = (PetscBool)(VectorNorm(3, &quadric[(f * F + i) * MONOMIALS + LINEAR]) > 0);
       for (PetscInt j = 0; j < n && found; j++)
-        found = (PetscBool)(i == j || PatchCarry_Private(patch, quadric, f, j, i, c));
+        found = (PetscBool)(i == j || PatchCarry_Private(side, quadric, f, j, i, c));
       for (PetscInt k = 0; k < 3 && found; k++)
-        of_facet[f].origin[k] = SideGetPosition(patch->level, patch->facets, f, i, k);
+        of_facet[f].origin[k] = SideGetPosition(side->level, side->facets, f, i, k);
       for (PetscInt k = 0; k < MONOMIALS && found; k++) of_facet[f].c[k] = quadric[(f * F + i) * MONOMIALS + k];
     }
   }
 }
 
-PetscErrorCode SideQuadricsGetNormals(Level *level, const SideSums *nodes, const SideShape *shape,
-                                      const PetscReal share[], PetscReal exact[])
+PetscErrorCode SideQuadricsGetNormals(const SmoothSide *side, Quadric of_facet[], PetscReal exact[])
 {
-  const Patch    patch = {level, nodes->facets, nodes, shape, share};
-  const PetscInt num   = nodes->facets->num * F;
+  const PetscInt num = side->facets->num * F;
   PetscReal     *ring, *rings, *quadric;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc3(num * SUMS, &ring, num * SUMS, &rings, num * MONOMIALS, &quadric));
-  PetscCall(PatchSumPoints_Private(&patch, ring));
-  PetscCall(PatchSumRings_Private(&patch, ring, rings));
-  PetscCall(PatchFit_Private(&patch, rings, quadric));
-  PetscCall(PatchConfirm_Private(&patch, rings, quadric));
-  for (PetscInt k = 0; k < SPREADS; k++) PetscCall(PatchSpread_Private(&patch, quadric));
+  PetscCall(PatchSumPoints_Private(side, ring));
+  PetscCall(PatchSumRings_Private(side, ring, rings));
+  PetscCall(PatchFit_Private(side, rings, quadric));
+  PetscCall(PatchConfirm_Private(side, rings, quadric));
+  for (PetscInt k = 0; k < SPREADS; k++) PetscCall(PatchSpread_Private(side, quadric));
   for (PetscInt c = 0; c < num; c++) PetscCall(PetscArraycpy(&exact[3 * c], &quadric[c * MONOMIALS + LINEAR], 3));
-  PatchSetFacets_Private(&patch, quadric, shape->quadric);
+  PatchSetFacets_Private(side, quadric, of_facet);
   PetscCall(PetscFree3(ring, rings, quadric));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

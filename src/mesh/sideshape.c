@@ -9,8 +9,6 @@
 #include "mesh/sideends.h"
 #include "mesh/sidehanging.h"
 #include "mesh/sidejets.h"
-#include "mesh/sidepatch.h"
-#include "mesh/sideplanes.h"
 #include "mesh/sidequadrics.h"
 #include "mesh/sidesums.h"
 #include "kernel/vector.h"
@@ -414,6 +412,11 @@ static PetscErrorCode SideShapeGetHeld_Private(Level *level, Facets *held)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static SmoothSide SideShapeSmooth_Private(const Side *side)
+{
+  return (SmoothSide){side->level, side->facets, &side->nodes, &side->planes, side->shape, side->share};
+}
+
 /* Normals from means over facets: those of quadrics and of curves of higher order, where there are, and
    extrapolated ones at ends. Collective.
    [in] mean - [num][F][dim]; [in] quadrics - zero where there is none [num][F][dim], or NULL;
@@ -421,9 +424,10 @@ static PetscErrorCode SideShapeGetHeld_Private(Level *level, Facets *held)
 static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal mean[], const PetscReal quadrics[],
                                                   PetscReal known[])
 {
-  const PetscInt dim = side->level->dim, num = side->facets->num * F;
-  SideShape     *shape = side->shape;
-  SideFit       *fit   = &side->fit;
+  const SmoothSide smooth = SideShapeSmooth_Private(side);
+  const PetscInt   dim = side->level->dim, num = side->facets->num * F;
+  SideShape       *shape = side->shape;
+  SideFit         *fit   = &side->fit;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(fit->normal, num * dim));
@@ -432,10 +436,9 @@ static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal me
   if (quadrics) {
     PetscCall(PetscArraycpy(fit->normal, quadrics, num * dim));
     PetscCall(PetscArrayzero(fit->curvature, num * dim * dim));
-    PetscCall(SideJetsGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, fit));
+    PetscCall(SideJetsGetNormals(&smooth, fit));
   }
-  if (dim == 2)
-    PetscCall(SideCurvesGetNormals(side->level, &side->nodes, &side->planes, shape, side->share, fit->normal));
+  if (dim == 2) PetscCall(SideCurvesGetNormals(&smooth, fit->normal));
   SideShapeTake_Private(side);
   PetscCall(SideShapeSetCurvatures_Private(side, PETSC_TRUE, known));
   PetscCall(SideEndsSetNormals(side->level, &side->nodes, side->share, known, shape));
@@ -488,6 +491,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
 {
   const PetscInt dim = level->dim, num = facets->num * F;
   Side           side = {.level = level, .facets = facets, .shape = shape};
+  SmoothSide     smooth;
   PetscReal     *known, *mean, *quadrics = NULL;
   PetscBool      turns, file;
 
@@ -497,6 +501,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
                          &shape->known, num, &shape->smooth));
   PetscCall(PetscCalloc4(num * dim, &side.weighted, num, &side.share, num, &known, num * dim, &mean));
   PetscCall(SideSumsCreate(level, facets, &side.nodes));
+  smooth = SideShapeSmooth_Private(&side);
   SideShapeSetCorners_Private(&side);
   PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
   PetscCall(SideSumAtNodes(&side.nodes, dim, NULL, shape->normal));
@@ -511,7 +516,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
     PetscCall(PetscCalloc2(num * dim, &side.fit.normal, num, &side.fit.spread));
     if (file) // not NULL on ranks without facets
       PetscCall(PetscCalloc2(num * dim + 1, &quadrics, num * dim * dim + 1, &side.fit.curvature));
-    if (file) PetscCall(SideQuadricsGetNormals(level, &side.nodes, shape, side.share, quadrics));
+    if (file) PetscCall(SideQuadricsGetNormals(&smooth, shape->quadric, quadrics));
     PetscCall(SidePlanesCreate(level, &side.nodes, NULL, &side.planes));
     PetscCall(SideShapeSetNormals_Private(&side, mean, quadrics, known));
     if (file || dim == 2) PetscCall(SideShapeFindPlanes_Private(&side, held, mean));

@@ -11,6 +11,12 @@ PetscReal SideGetPosition(const Level *level, const Facets *facets, PetscInt f, 
   return level->coords[at] + (level->hanging.rise ? level->hanging.rise[at] : 0);
 }
 
+void SideGetWay(const Level *level, const Facets *facets, PetscInt f, PetscInt i, PetscInt j, PetscReal d[])
+{
+  for (PetscInt k = 0; k < level->dim; k++)
+    d[k] = SideGetPosition(level, facets, f, j, k) - SideGetPosition(level, facets, f, i, k);
+}
+
 /* Marks local nodes with a facet on any rank by 1, others by 0, then those with one on this rank by 2.
    Collective. [out] mark - [num_nodes], freed by the caller */
 static PetscErrorCode LevelMarkSide_Private(Level *level, const Facets *facets, PetscInt **mark)

@@ -30,4 +30,7 @@ PetscErrorCode SideSumAtNodes(const SideSums *nodes, PetscInt bs, const PetscRea
    Not collective. */
 PetscReal SideGetPosition(const Level *level, const Facets *facets, PetscInt f, PetscInt i, PetscInt k);
 
+/* The vector from corner i of facet f to its corner j. Not collective. [out] d - [dim] */
+void SideGetWay(const Level *level, const Facets *facets, PetscInt f, PetscInt i, PetscInt j, PetscReal d[]);
+
 #endif

@@ -167,17 +167,10 @@ static PetscErrorCode TreeSetMiddles_Private(Tree *tree, const Level *level, con
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The middle of an edge of a facet, if the file has a node there; else NULL. */
-static const SideMiddle *TreeArcsFindMiddle_Private(const TreeArcs *arcs, PetscInt facet, PetscInt a, PetscInt b)
+/* Whether an edge of the file joins two vertices. */
+static PetscBool SideMiddleJoins_Private(const SideMiddle *middle, PetscInt a, PetscInt b)
 {
-  for (PetscInt e = 0; e < F && arcs->middle && arcs->round[facet]; e++) {
-    const SideMiddle *middle = &arcs->middle[facet * F + e];
-
-    if (PetscMin(a, b) == PetscMin(middle->ends[0], middle->ends[1]) &&
-        PetscMax(a, b) == PetscMax(middle->ends[0], middle->ends[1]))
-      return middle;
-  }
-  return NULL;
+  return (PetscBool)((middle->ends[0] == a && middle->ends[1] == b) || (middle->ends[0] == b && middle->ends[1] == a));
 }
 
 static PetscBool SideCornerIsOn_Private(const SideCorner *corner, PetscInt vertex, const SideMiddle *middle,
@@ -191,10 +184,10 @@ static PetscBool SideCornerIsOn_Private(const SideCorner *corner, PetscInt verte
 static PetscInt TreeArcsFindEdge_Private(const TreeArcs *arcs, PetscInt a, const SideCorner *from, PetscInt b,
                                          const SideCorner *to)
 {
-  for (PetscInt e = 0; e < F && arcs->middle && arcs->round[from->facet]; e++) {
+  for (PetscInt e = 0; e < F && arcs->middle; e++) {
     const SideMiddle *middle = &arcs->middle[from->facet * F + e];
 
-    if (middle->ends[0] == middle->ends[1]) continue; // a triangle has no more edges
+    if (middle->ends[0] == middle->ends[1]) continue; // no edge, or of a facet that is not smooth
     if (SideCornerIsOn_Private(from, a, middle, e) && SideCornerIsOn_Private(to, b, middle, e)) return e;
   }
   return -1;
@@ -257,7 +250,9 @@ static PetscBool TreeArcsIsOfFile_Private(const TreeArcs *arcs, PetscInt a, Pets
 {
   if (!arcs->middle || PetscMax(a, b) >= arcs->num_vertices) return PETSC_FALSE;
   for (PetscInt i = arcs->start[a]; i < arcs->start[a + 1]; i++) {
-    if (TreeArcsFindMiddle_Private(arcs, arcs->corner[i].facet, a, b)) return PETSC_TRUE;
+    for (PetscInt e = 0; e < F; e++) {
+      if (SideMiddleJoins_Private(&arcs->middle[arcs->corner[i].facet * F + e], a, b)) return PETSC_TRUE;
+    }
   }
   return PETSC_FALSE;
 }
@@ -504,8 +499,7 @@ static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const 
       PetscReal         offset[3];
 
       if (arcs->corner[i].facet != arcs->corner[j].facet) continue;
-      middle = TreeArcsFindMiddle_Private(arcs, arcs->corner[i].facet, a, b);
-      own    = &corner[(*num)++];
+      own = &corner[(*num)++];
       SideCornerBetween_Private(dim, &coords[a * dim], &arcs->corner[i], &coords[b * dim], &arcs->corner[j], own);
       own->edge = TreeArcsFindEdge_Private(arcs, a, &arcs->corner[i], b, &arcs->corner[j]);
       if (arcs->quadric) {
@@ -513,7 +507,9 @@ static void TreeArcsAddVertex_Private(const TreeArcs *arcs, PetscInt dim, const 
                   offset);
         (void)QuadricTakeArc(&arcs->quadric[own->facet], &coords[a * dim], &coords[b * dim], offset, own->normal);
       }
-      for (PetscInt d = 0; d < dim && middle; d++) own->normal[d] = middle->normal[d];
+      middle = own->edge < 0 ? NULL : &arcs->middle[own->facet * F + own->edge];
+      if (!middle || !SideMiddleJoins_Private(middle, a, b)) continue;
+      for (PetscInt d = 0; d < dim; d++) own->normal[d] = middle->normal[d];
     }
   }
 }
