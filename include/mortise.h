@@ -13,10 +13,10 @@
        }
        PetscCall(MortiseDestroy(&m));
        PetscCall(MortiseFinalize());
-   Every function returns 0, MORTISE_ERR_USER for a mistake of the user (see MortiseGetError()), or an
-   error code of PETSc. A mistake prints nothing, nor does PetscCall() that returns it; in main() itself
-   PetscCall() ends the program. Functions are collective unless they say otherwise: all ranks call them with
-   the same arguments. Units are those of the scene. GUIDE.md describes options, formulas and files. */
+   Every function returns 0, MORTISE_ERR_USER for a mistake (see MortiseGetError()), or an error code of
+   PETSc. Mistakes are those of the scene, calls in a wrong order, and a handle or name that is NULL. They
+   print nothing, nor does PetscCall() that returns one; in main() itself it ends the program. Functions are
+   collective unless they say otherwise. Units are those of the scene. GUIDE.md has options and files. */
 #ifndef MORTISE_H
 #define MORTISE_H
 

@@ -41,8 +41,18 @@ struct _p_Mortise {
    Not collective. */
 PetscErrorCode ApiBegin(Mortise m);
 PetscErrorCode ApiEnd(Mortise m, PetscErrorCode error);
-/* Whether MortiseInitialize() was called, and MortiseFinalize() not yet. Not collective. */
-PetscBool ApiReady(void);
+/* User error: MortiseInitialize() was not called before, or MortiseFinalize() was. Not collective. */
+PetscErrorCode ApiNeedLibrary(const char function[]);
+/* The same; or the handle is NULL. Not collective. */
+PetscErrorCode ApiNeedHandle(Mortise m, const char function[]);
+/* Leaves a public function by that error. PetscCall() would print it where PETSc does not run. */
+#define API_VALID(m)                                                                                                   \
+  do {                                                                                                                 \
+    const PetscErrorCode valid_ = ApiNeedHandle(m, __func__);                                                          \
+    if (valid_) PetscFunctionReturn(valid_);                                                                           \
+  } while (0)
+/* User error: a name is NULL. Collective. [in] what - is named */
+PetscErrorCode ApiNeedName(Mortise m, const char function[], const char name[], const char what[]);
 /* Whether the caller started PETSc, which then has read its options. Not collective. */
 PetscBool ApiJoined(void);
 /* User error: MortiseSetFromOptions() was not called. Collective. */

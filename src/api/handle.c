@@ -31,14 +31,12 @@ PetscErrorCode ApiNeedRun(Mortise m, const char function[])
 
 PetscErrorCode MortiseCreate(MPI_Comm comm, Mortise *m)
 {
-  int ranks, all;
+  const PetscErrorCode error = ApiNeedLibrary("MortiseCreate");
+  int                  ranks, all;
 
-  *m = NULL;
-  if (!ApiReady()) { // nor is PETSc, perhaps
-    UserErrorSetQuiet(PETSC_TRUE);
-    return UserErrorRaise(comm, "MortiseCreate(): call MortiseInitialize() before");
-  }
   PetscFunctionBeginUser;
+  *m = NULL;
+  if (error) PetscFunctionReturn(error); // PETSc need not run
   PetscCallMPI(MPI_Comm_size(comm, &ranks));
   PetscCallMPI(MPI_Comm_size(MPI_COMM_WORLD, &all));
   if (ranks != all)
@@ -87,6 +85,7 @@ PetscErrorCode MortiseDestroy(Mortise *m)
 
   PetscFunctionBeginUser;
   if (!*m) PetscFunctionReturn(PETSC_SUCCESS);
+  API_VALID(*m);
   PetscCall(ApiBegin(*m));
   error = HandleClear_Private(*m);
   PetscCall(ApiEnd(*m, error));
@@ -99,6 +98,7 @@ PetscErrorCode MortiseDestroy(Mortise *m)
 PetscErrorCode MortiseSetOptionsPrefix(Mortise m, const char prefix[])
 {
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(PetscFree(m->prefix));
   if (m->options) PetscCall(PetscOptionsDestroy(&m->options));
   if (!prefix || !prefix[0]) PetscFunctionReturn(PETSC_SUCCESS);
@@ -112,8 +112,10 @@ PetscErrorCode MortiseInsertFile(Mortise m, const char file[])
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
-  error = OptionsInsertFile(file);
+  error = ApiNeedName(m, "MortiseInsertFile", file, "file");
+  if (!error) error = OptionsInsertFile(file);
   PetscCall(ApiEnd(m, error));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -145,6 +147,7 @@ PetscErrorCode MortiseSetFromOptions(Mortise m)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   if (m->options) PetscCall(OptionsCopyPrefixed(m->prefix, m->options));
   PetscCall(ApiBegin(m));
   error = HandleClear_Private(m);
@@ -176,6 +179,7 @@ PetscErrorCode MortiseSetUp(Mortise m)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = HandleSetUp_Private(m);
   PetscCall(ApiEnd(m, error));
@@ -196,6 +200,7 @@ PetscErrorCode MortiseSetTime(Mortise m, PetscReal t)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = HandleSetTime_Private(m, t);
   PetscCall(ApiEnd(m, error));
@@ -206,6 +211,7 @@ static PetscErrorCode HandleSetDatum_Private(Mortise m, const char option[], Pet
 {
   PetscFunctionBeginUser;
   PetscCall(ApiNeedScene(m, "MortiseSetDatum"));
+  PetscCall(ApiNeedName(m, "MortiseSetDatum", option, "option"));
   PetscCall(SceneSetDatum(m->scene, option, num, values));
   m->several = PETSC_TRUE;
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -216,9 +222,29 @@ PetscErrorCode MortiseSetDatum(Mortise m, const char option[], PetscInt num, con
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = HandleSetDatum_Private(m, option, num, values);
   PetscCall(ApiEnd(m, error));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* User error: a guess has another layout than displacements. Collective. */
+static PetscErrorCode HandleCheckGuess_Private(Mortise m, Vec u)
+{
+  const Level   *level     = MeshFinest(m->mesh);
+  const PetscInt wanted    = level->dim * level->num_owned;
+  char           text[128] = "";
+  PetscInt       size;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetLocalSize(u, &size));
+  if (size != wanted)
+    PetscCall(PetscSNPrintf(text, sizeof(text),
+                            "MortiseSetInitialGuess(): u has %" PetscInt_FMT " numbers on a rank, %" PetscInt_FMT
+                            " are wanted",
+                            size, wanted));
+  PetscCall(UserErrorCheck(m->comm, text));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -227,6 +253,7 @@ static PetscErrorCode HandleSetGuess_Private(Mortise m, Vec u)
   PetscFunctionBeginUser;
   PetscCall(ApiNeedScene(m, "MortiseSetInitialGuess"));
   PetscCall(HandleSetUp_Private(m));
+  if (u && m->mesh) PetscCall(HandleCheckGuess_Private(m, u));
   PetscCall(VecDestroy(&m->guess));
   m->guess_given = PETSC_TRUE;
   if (!u || !m->mesh) PetscFunctionReturn(PETSC_SUCCESS);
@@ -241,6 +268,7 @@ PetscErrorCode MortiseSetInitialGuess(Mortise m, Vec u)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = HandleSetGuess_Private(m, u);
   PetscCall(ApiEnd(m, error));
@@ -322,6 +350,7 @@ PetscErrorCode MortiseSolve(Mortise m)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = HandleSolve_Private(m);
   PetscCall(ApiEnd(m, error));

@@ -75,10 +75,13 @@ PetscErrorCode MortiseInitialize(int *argc, char ***argv)
   char          *nobody[] = {name, NULL};
   PetscBool      runs;
   PetscErrorCode error;
-  int            mpi;
+  int            mpi, ended;
 
   if (library.ready) return PETSC_SUCCESS;
   UserErrorSetQuiet((PetscBool)!ProcessIsOwn());
+  MPI_Finalized(&ended);
+  if (ended)
+    return UserErrorRaise(MPI_COMM_WORLD, "MortiseInitialize(): MPI has ended, and begins only once in a program");
   MPI_Initialized(&mpi);
   if (!mpi) {
     MPI_Init(argc, argv);
@@ -109,9 +112,26 @@ PetscErrorCode MortiseFinalize(void)
   return error;
 }
 
-PetscBool ApiReady(void)
+PetscErrorCode ApiNeedLibrary(const char function[])
 {
-  return library.ready;
+  if (library.ready) return PETSC_SUCCESS;
+  UserErrorSetQuiet((PetscBool)!ProcessIsOwn());
+  return UserErrorRaise(MPI_COMM_WORLD, "%s(): call MortiseInitialize() before, and MortiseFinalize() after", function);
+}
+
+PetscErrorCode ApiNeedHandle(Mortise m, const char function[])
+{
+  const PetscErrorCode error = ApiNeedLibrary(function);
+
+  if (error || m) return error;
+  return UserErrorRaise(PETSC_COMM_WORLD, "%s(): the handle is NULL; MortiseCreate() makes one", function);
+}
+
+PetscErrorCode ApiNeedName(Mortise m, const char function[], const char name[], const char what[])
+{
+  PetscFunctionBeginUser;
+  if (!name) PetscCall(UserErrorRaise(m->comm, "%s(): the name of the %s is NULL", function, what));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscBool ApiJoined(void)

@@ -26,6 +26,7 @@ static PetscErrorCode ResultsFindPair_Private(Mortise m, const char function[], 
   char         suggestion[PETSC_MAX_OPTION_NAME] = "";
 
   PetscFunctionBeginUser;
+  PetscCall(ApiNeedName(m, function, pair, "pair"));
   for (*p = 0; *p < scene->num_pairs; ++*p)
     if (!strcmp(scene->pairs[*p].name, pair)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(scene->num_pairs, &names));
@@ -42,6 +43,7 @@ PetscErrorCode MortiseGetStatus(Mortise m, int *exit_code)
   PetscErrorCode error = PETSC_SUCCESS;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   *exit_code = (int)m->verdict;
   if (!m->solved_once) error = ApiNeedRun(m, "MortiseGetStatus");
@@ -55,6 +57,7 @@ PetscErrorCode MortiseGetReason(Mortise m, const char **sentence)
 
   PetscFunctionBeginUser;
   *sentence = "";
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ApiNeedRun(m, "MortiseGetReason");
   PetscCall(ApiEnd(m, error));
@@ -110,6 +113,7 @@ PetscErrorCode MortiseWrite(Mortise m)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsWrite_Private(m);
   PetscCall(ApiEnd(m, error));
@@ -139,6 +143,7 @@ PetscErrorCode MortiseView(Mortise m, PetscViewer viewer)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   if (viewer) PetscCall(PetscObjectTypeCompare((PetscObject)viewer, PETSCVIEWERASCII, &ascii));
   if (viewer && ascii) {
@@ -181,6 +186,7 @@ PetscErrorCode MortiseGetSummary(Mortise m, const char **json)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsCreateSummary_Private(m, "MortiseGetSummary");
   PetscCall(ApiEnd(m, error));
@@ -232,6 +238,7 @@ static PetscErrorCode ResultsGetNumbers_Private(Mortise m, const char path[], Pe
 
   PetscFunctionBeginUser;
   PetscCall(ResultsCreateSummary_Private(m, "MortiseGetNumbers"));
+  PetscCall(ApiNeedName(m, "MortiseGetNumbers", path, "number"));
   if (!m->numbers) m->numbers = cJSON_Parse(m->summary);
   item = ResultsFindItem_Private(m->numbers, path);
   if (!item) PetscCall(UserErrorRaise(m->comm, "MortiseGetNumbers(): the summary has nothing at %s", path));
@@ -253,6 +260,7 @@ PetscErrorCode MortiseGetNumbers(Mortise m, const char path[], PetscInt num, Pet
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetNumbers_Private(m, path, num, values);
   PetscCall(ApiEnd(m, error));
@@ -279,6 +287,7 @@ PetscErrorCode MortiseGetPairForce(Mortise m, const char pair[], PetscReal force
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetForce_Private(m, pair, &sum);
   PetscCall(ApiEnd(m, error));
@@ -310,6 +319,7 @@ PetscErrorCode MortiseGetEnergy(Mortise m, PetscReal *strain, PetscReal *potenti
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetEnergy_Private(m, &values[0], &values[1]);
   PetscCall(ApiEnd(m, error));
@@ -325,6 +335,7 @@ PetscErrorCode MortiseGetCertificate(Mortise m, MortiseCertificate *certificate)
   PetscReal          friction;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ApiNeedRun(m, "MortiseGetCertificate");
   PetscCall(ApiEnd(m, error));
@@ -356,6 +367,7 @@ PetscErrorCode MortiseGetDM(Mortise m, DM *dm)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsNeedMesh_Private(m, "MortiseGetDM");
   PetscCall(ApiEnd(m, error));
@@ -396,6 +408,7 @@ PetscErrorCode MortiseGetCoordinates(Mortise m, Vec *x)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetCoordinates_Private(m);
   PetscCall(ApiEnd(m, error));
@@ -408,6 +421,7 @@ PetscErrorCode MortiseGetDisplacement(Mortise m, Vec *u)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsNeedFields_Private(m, "MortiseGetDisplacement");
   PetscCall(ApiEnd(m, error));
@@ -441,6 +455,7 @@ PetscErrorCode MortiseGetPressure(Mortise m, const char pair[], Vec *p)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetPair_Private(m, "MortiseGetPressure", pair, &values);
   PetscCall(ApiEnd(m, error));
@@ -454,6 +469,7 @@ PetscErrorCode MortiseGetGap(Mortise m, const char pair[], Vec *g)
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetPair_Private(m, "MortiseGetGap", pair, &values);
   PetscCall(ApiEnd(m, error));
@@ -467,6 +483,7 @@ PetscErrorCode MortiseGetPairStatus(Mortise m, const char pair[], PetscInt *num,
   PetscErrorCode error;
 
   PetscFunctionBeginUser;
+  API_VALID(m);
   PetscCall(ApiBegin(m));
   error = ResultsGetPair_Private(m, "MortiseGetPairStatus", pair, &values);
   PetscCall(ApiEnd(m, error));

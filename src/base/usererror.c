@@ -27,13 +27,16 @@ const char *UserErrorSentence(void)
   return last_sentence;
 }
 
-/* Keeps the sentence; the first rank of comm prints it, in one write so that ranks' lines do not mix. */
+/* Keeps the sentence. The first rank of comm prints it, in one write so that ranks' lines do not mix. Calls
+   of the library may come before MPI has begun, or after its end. */
 static void UserErrorTell_Private(MPI_Comm comm, const char sentence[])
 {
-  int rank = 0;
+  int rank = 0, begun, ended;
 
   snprintf(last_sentence, sizeof(last_sentence), "%s", sentence);
-  MPI_Comm_rank(comm, &rank);
+  MPI_Initialized(&begun);
+  MPI_Finalized(&ended);
+  if (begun && !ended) MPI_Comm_rank(comm, &rank);
   if (rank || quiet) return;
   fflush(stdout); // what was printed before the mistake stands before it
   fprintf(stderr, "mortise: %s\n", last_sentence);

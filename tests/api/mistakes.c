@@ -164,14 +164,51 @@ static PetscErrorCode PassOn(void)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A handle, a name or a vector that is none. */
+static void CheckNames(void)
+{
+  Mortise        m = Create("n_", squeezed), none = NULL;
+  const PetscInt rank_has = 7;
+  Vec            v;
+
+  CHECK_MISTAKE(MortiseSetOptionsPrefix(none, "a_"), "MortiseSetOptionsPrefix()", "NULL");
+  CHECK_MISTAKE(MortiseInsertFile(none, squeezed), "MortiseInsertFile()", "NULL");
+  CHECK_MISTAKE(MortiseSetFromOptions(none), "MortiseSetFromOptions()", "MortiseCreate()");
+  CHECK_MISTAKE(MortiseSolve(none), "MortiseSolve()", "MortiseCreate()");
+  CHECK_MISTAKE(MortiseGetPressure(none, "joint", &v), "MortiseGetPressure()", "MortiseCreate()");
+  CHECK(!MortiseDestroy(&none));
+  CHECK_MISTAKE(MortiseInsertFile(m, NULL), "MortiseInsertFile()", "file is NULL");
+  CHECK(!MortiseSetFromOptions(m));
+  CHECK_MISTAKE(MortiseSetDatum(m, NULL, 0, NULL), "MortiseSetDatum()", "option is NULL");
+  CHECK(!VecCreateMPI(PETSC_COMM_WORLD, rank_has, PETSC_DETERMINE, &v));
+  CHECK_MISTAKE(MortiseSetInitialGuess(m, v), "MortiseSetInitialGuess()", "7 numbers");
+  CHECK(!VecDestroy(&v));
+  CHECK(!MortiseSolve(m));
+  CHECK_MISTAKE(MortiseGetPressure(m, NULL, &v), "MortiseGetPressure()", "pair is NULL");
+  CHECK_MISTAKE(MortiseGetNumbers(m, NULL, 0, NULL), "MortiseGetNumbers()", "number is NULL");
+  CHECK(!MortiseDestroy(&m));
+}
+
+/* Calls before MortiseInitialize() and after MortiseFinalize(), whether MPI runs or not. */
+static void CheckNoLibrary(void)
+{
+  Mortise m = NULL;
+  int     status;
+
+  CHECK_MISTAKE(MortiseCreate(MPI_COMM_WORLD, &m), "MortiseCreate()", "MortiseInitialize()");
+  CHECK_MISTAKE(MortiseSetFromOptions(m), "MortiseSetFromOptions()", "MortiseInitialize()");
+  CHECK_MISTAKE(MortiseGetStatus(m, &status), "MortiseGetStatus()", "MortiseInitialize()");
+}
+
 int main(int argc, char **argv)
 {
-  Mortise m;
-  int     own = 1; // the folders are no options
+  int own = 1; // the folders are no options
 
+  CheckNoLibrary();
   MPI_Init(&argc, &argv);
-  CHECK_MISTAKE(MortiseCreate(MPI_COMM_WORLD, &m), "MortiseInitialize()", "before");
+  CheckNoLibrary();
   CHECK(!MortiseInitialize(&own, &argv));
+  CHECK(!MortiseInitialize(NULL, NULL));
   snprintf(squeezed, sizeof(squeezed), "%s/patch2d.opts", argv[1]);
   snprintf(pulled, sizeof(pulled), "%s/pulled.opts", argv[2]);
   CHECK_MISTAKE(PassOn(), "nowhere.opts", "no such file");
@@ -180,7 +217,12 @@ int main(int argc, char **argv)
   CheckSolver();
   CheckCalls();
   CheckNoSolution();
+  CheckNames();
   CHECK(!MortiseFinalize());
+  CHECK(!MortiseFinalize());
+  CheckNoLibrary();
   MPI_Finalize();
+  CheckNoLibrary();
+  CHECK_MISTAKE(MortiseInitialize(&own, &argv), "MortiseInitialize()", "MPI has ended");
   return 0;
 }
