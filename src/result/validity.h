@@ -32,11 +32,10 @@ struct _n_Validity {
   ValidityIndicator indicator[VALIDITY_COUNT];
   ValidityColour    worst;
   PetscReal         load_factor; /* the least limit to red over value; NAN where nothing moves */
-  PetscBool
-      homogeneous; /* no gap and no overlap at nodes with a multiplier: displacements are proportional to the loads */
-  PetscReal
-      friction; /* sum W p |slip| over the work that was done on the bodies: what friction of coefficient 1 would take of it at
-                                    most, about; NAN without contact */
+  PetscBool         homogeneous; /* all sides touch at nodes with a multiplier: u is proportional to the loads */
+  /* sum W p |slip| over the work done on the bodies: what friction of coefficient 1 would take of it at most,
+     about; NAN without contact */
+  PetscReal friction;
 };
 typedef struct _n_Validity *Validity;
 
