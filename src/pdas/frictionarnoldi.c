@@ -63,8 +63,8 @@ static PetscErrorCode FrictionArnoldiLargest_Private(PetscInt size, const PetscS
   PetscCall(PetscArraycpy(copy, H, size * RHO_STEPS));
   PetscCallBLAS("LAPACKgeev", LAPACKgeev_("N", "N", &n, copy, &lead, real, imaginary, &none, &one, &none, &one, work,
                                           &length, &info));
-  for (PetscInt i = 0; i < size && !info; i++)
-    *rho = PetscMax(*rho, PetscSqrtReal(PetscSqr(real[i]) + PetscSqr(imaginary[i])));
+  PetscCheck(!info, PETSC_COMM_SELF, PETSC_ERR_LIB, "LAPACKgeev failed with %d", (int)info);
+  for (PetscInt i = 0; i < size; i++) *rho = PetscMax(*rho, PetscSqrtReal(PetscSqr(real[i]) + PetscSqr(imaginary[i])));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
