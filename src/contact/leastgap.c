@@ -48,6 +48,36 @@ static PetscBool LeastGapJoins_Private(const MortarSurface *mortar, PetscInt dim
   return PETSC_FALSE;
 }
 
+/* Unites neighbours on one smooth piece. Thousands of mortar facets may be over a coarse one: only those that
+   share a node are compared.
+   [in] facets - mortar facets [num]; [in,out] parent - their sets [num] */
+static PetscErrorCode LeastGapUnite_Private(const FacetPartner *partner, PetscInt num, const PetscInt facets[],
+                                            PetscInt parent[])
+{
+  const MortarSurface *mortar = partner->mortar;
+  PetscInt            *node, *owner, corners = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc2(num * ELEMENT_MAX_FACET_NODES, &node, num * ELEMENT_MAX_FACET_NODES, &owner));
+  for (PetscInt a = 0; a < num; a++) {
+    for (PetscInt i = 0; i < ElementNumNodes(mortar->type[facets[a]]); i++) {
+      node[corners]    = mortar->nodes[facets[a] * ELEMENT_MAX_FACET_NODES + i];
+      owner[corners++] = a;
+    }
+  }
+  PetscCall(PetscSortIntWithArray(corners, node, owner));
+  for (PetscInt c = 0; c < corners; c++) {
+    for (PetscInt d = c + 1; d < corners && node[d] == node[c]; d++) {
+      const PetscInt a = owner[c], b = owner[d];
+
+      if (DisjointSetsFind(parent, a) == DisjointSetsFind(parent, b)) continue;
+      if (LeastGapJoins_Private(mortar, partner->dim, facets[a], facets[b])) DisjointSetsUnite(parent, a, b);
+    }
+  }
+  PetscCall(PetscFree2(node, owner));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether the mortar facets over a facet are several smooth pieces. */
 static PetscErrorCode LeastGapHasMortarEdge_Private(const FacetPartner *partner, const OverlapPoints *list,
                                                     PetscBool *edge)
@@ -59,12 +89,7 @@ static PetscErrorCode LeastGapHasMortarEdge_Private(const FacetPartner *partner,
   for (PetscInt p = 0; p < list->num; p++)
     if (p == 0 || list->facet[p] != list->facet[p - 1]) facets[num++] = list->facet[p];
   DisjointSetsInitialize(num, parent);
-  for (PetscInt a = 0; a < num; a++) {
-    for (PetscInt b = 0; b < a; b++) {
-      if (facets[a] == facets[b] || LeastGapJoins_Private(partner->mortar, partner->dim, facets[a], facets[b]))
-        DisjointSetsUnite(parent, a, b);
-    }
-  }
+  if (num > 1) PetscCall(LeastGapUnite_Private(partner, num, facets, parent));
   *edge = PETSC_FALSE;
   for (PetscInt a = 0; a < num; a++) *edge = (PetscBool)(*edge || DisjointSetsFind(parent, a) != 0);
   PetscCall(PetscFree2(facets, parent));
