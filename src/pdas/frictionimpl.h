@@ -76,6 +76,10 @@ PetscErrorCode FrictionUnitsDecide(FrictionUnits *units, PetscInt *changed);
 PetscErrorCode FrictionUnitsCompare(const FrictionUnits *units, PetscInt *changed);
 /* Forgets the decisions. The next ones follow from values and forces alone. Not collective. */
 void FrictionUnitsForget(FrictionUnits *units);
+/* Initial decisions from a given set. Units of the set are closed. They stick if their tangents are in the
+   set, too, and slip in their direction of motion otherwise. Not collective.
+   [in] given - 1 in the set, else 0 [n] */
+void FrictionUnitsBegin(FrictionUnits *units, const PetscReal given[]);
 /* Sets the unknowns that the decisions fix: y_n = upper of closed units, s = 0 of sticking units.
    Not collective. */
 void FrictionUnitsPrescribe(FrictionUnits *units);

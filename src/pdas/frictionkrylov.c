@@ -446,8 +446,7 @@ static PetscErrorCode Destroy_Krylov(FrictionMethod method)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Initial decisions from a given set. Units of the set are closed. They stick if their tangents are in the
-   set too, and slip in their direction of motion otherwise. */
+/* Initial decisions from a given set. */
 static PetscErrorCode FrictionKrylovBegin_Private(FrictionMethod method, Vec set)
 {
   Krylov    *t = method->data;
@@ -456,25 +455,7 @@ static PetscErrorCode FrictionKrylovBegin_Private(FrictionMethod method, Vec set
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(method->units.n, &given));
   PetscCall(ActiveSetGather(method->solver->set, set, given));
-  for (PetscInt a = 0; a < method->units.num; a++) {
-    FrictionUnit *unit = &method->units.unit[a];
-    PetscReal     s[FRICTION_TANGENTS], size = 0, limit;
-    PetscBool     sticks = PETSC_TRUE;
-
-    unit->closed = (PetscBool)(given[unit->normal] > 0.5);
-    limit        = unit->closed ? FrictionUnitLimit(unit, method->units.r[unit->normal]) : unit->bound;
-    for (PetscInt i = 0; i < unit->num; i++) {
-      s[i]   = method->units.y[unit->tangent[i]] - unit->origin[i];
-      sticks = (PetscBool)(sticks && given[unit->tangent[i]] > 0.5);
-      size += s[i] * s[i];
-    }
-    size         = PetscSqrtReal(size);
-    unit->status = limit > 0 || (unit->closed && unit->coefficient > 0) ? UNIT_STICK : UNIT_FREE;
-    if (unit->status == UNIT_FREE || sticks || size == 0) continue;
-    unit->status  = UNIT_SLIP;
-    unit->turning = limit / size;
-    for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = s[i] / size;
-  }
+  FrictionUnitsBegin(&method->units, given);
   t->same         = PETSC_TRUE;
   method->decided = PETSC_TRUE;
   PetscCall(PetscFree(given));

@@ -23,9 +23,11 @@ enum { FIRST_PIVOTED = 300, LAST_PIVOTED = 500 };
 enum { PIVOTS_PER_ROW = 20 };
 /* Elements below this part of the largest in their column are no pivots. */
 static const PetscReal LEAST_PIVOT = 1e-9;
-/* Rows whose ratios differ by this part tie; the largest pivot is taken of them. The covering variable is
-   zero below this part of its first value. */
-static const PetscReal PIVOT_TIES = 1e-12, COVER_ENDS = 1e-11;
+/* Rows whose ratios differ by this part tie; the largest pivot is taken of them. */
+static const PetscReal PIVOT_TIES = 1e-12;
+/* Parts of the first value of the covering variable. Below the first it is roundoff, and pivoting ends. Where
+   roundoff ends pivoting, it is zero below the second one: the last pressures may be that small. */
+static const PetscReal COVER_ENDS = 8 * PETSC_MACHINE_EPSILON, COVER_SMALL = 1e-11;
 /* Variation of the covering vector: symmetric scenes have no ties then. */
 static const PetscReal COVER_VARIES = 0.1;
 
@@ -180,27 +182,27 @@ static void FrictionPivotRun_Private(Pivoting *t, PetscBool *done)
 {
   const PetscInt L   = t->L;
   PetscInt       row = -1, column = L;
-  PetscReal      ends = 0;
+  PetscReal      first = 0;
 
   for (PetscInt i = 0; i < L; i++) {
     const PetscReal cover = -t->q[i] / t->T[i * (L + 1) + L];
 
-    if (!(cover > ends)) continue;
-    ends = cover;
-    row  = i;
+    if (!(cover > first)) continue;
+    first = cover;
+    row   = i;
   }
-  ends *= COVER_ENDS;
   *done = (PetscBool)(row < 0);
   for (PetscInt k = 0; row >= 0 && k < PIVOTS_PER_ROW * L && !*done; k++) { // row -1: a ray
     PetscInt next;
 
     FrictionPivotExchange_Private(t, row, column);
-    *done = (PetscBool)(FrictionPivotGetCover_Private(t) <= ends);
+    *done = (PetscBool)(FrictionPivotGetCover_Private(t) <= COVER_ENDS * first);
     next  = (t->free[column] + L) % (2 * L); // the partner of the variable that left
     if (*done) continue;
     for (column = 0; t->free[column] != next;) column++;
     row = FrictionPivotChooseRow_Private(t, column);
   }
+  *done = (PetscBool)(*done || FrictionPivotGetCover_Private(t) <= COVER_SMALL * first);
 }
 
 /* The unit and the row in it that variable z is of. */

@@ -268,6 +268,28 @@ static PetscErrorCode Destroy_Reduced(FrictionMethod method)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Initial decisions from a given set. Not without displacements: then it is a guess of what touches. [in] y -
+   initial guess */
+static PetscErrorCode FrictionReducedBegin_Private(FrictionMethod method, Vec set, Vec y)
+{
+  const ActiveSet *bounded = &method->pdas->set;
+  Reduced         *t       = method->data;
+  PetscReal       *own, *given = NULL, largest;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecNorm(y, NORM_INFINITY, &largest));
+  if (largest == 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(bounded->n, &own));
+  if (!t->rank) PetscCall(PetscMalloc1(method->units.n, &given));
+  PetscCall(ActiveSetGather(bounded, set, own));
+  PetscCall(SchurSolverGather(method->solver, own, given));
+  if (!t->rank) FrictionUnitsBegin(&method->units, given);
+  method->decided = PETSC_TRUE;
+  PetscCall(PetscFree(own));
+  PetscCall(PetscFree(given));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
 {
   const ActiveSet   *set    = &method->pdas->set;
@@ -292,5 +314,6 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
   PetscCall(PetscMalloc2(method->units.n, &t->from, method->units.n, &t->to));
   if (!t->rank) PetscCall(PetscArraycpy(t->problem.g, g, method->units.n));
   PetscCall(Set_Reduced(method, y));
+  if (method->pdas->previous) PetscCall(FrictionReducedBegin_Private(method, method->pdas->previous, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

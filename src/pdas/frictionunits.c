@@ -7,8 +7,9 @@
    linear complementarity problems, 1994. */
 #include "pdas/frictionimpl.h"
 
-/* Tolerances of ties, relative to the largest value and force, as of frictionless contact. */
-static const PetscReal TIE_FRICTION = 1e-11;
+/* Tolerances of ties, relative to the largest value and force, as of frictionless contact. Where bodies move
+   far a tie of values would be above the tolerance of the law: it takes at most TIE_PART of that. */
+static const PetscReal TIE_FRICTION = 1e-11, TIE_PART = 0.5;
 /* After SINGLE_STEPS steps in a row that do not descend, one unit at a time changes. Sets of changes may
    follow each other in a cycle [1]. */
 enum { SINGLE_STEPS = 10 };
@@ -23,6 +24,9 @@ static const PetscReal LIMIT_NOISE = 1e-6;
 static const PetscReal ALL_STICKS = 1e30;
 /* Limits have settled if their change is below this. */
 static const PetscReal FIXED_POINT_RTOL = 1e-11;
+
+/* Threshold of a given set, which has 1 and 0. */
+static const PetscReal GIVEN_FROM = 0.5;
 
 /* Numbers that a rank sends for each unit. */
 enum {
@@ -261,13 +265,19 @@ static PetscErrorCode FrictionUnitsChangeOne_Private(FrictionUnits *units, const
 /* Collective. [out] tolerance - of values and of forces */
 static PetscErrorCode FrictionUnitsGetTolerance_Private(const FrictionUnits *units, PetscReal tolerance[2])
 {
+  PetscReal most[3] = {0, 0, 0}, residual, size; // value, force, stiffness
+
   PetscFunctionBeginUser;
-  tolerance[0] = tolerance[1] = 0;
   for (PetscInt i = 0; i < units->n; i++) {
-    tolerance[0] = PetscMax(tolerance[0], TIE_FRICTION * PetscAbsReal(units->y[i]));
-    tolerance[1] = PetscMax(tolerance[1], TIE_FRICTION * PetscAbsReal(units->r[i]));
+    most[0] = PetscMax(most[0], TIE_FRICTION * PetscAbsReal(units->y[i]));
+    most[1] = PetscMax(most[1], TIE_FRICTION * PetscAbsReal(units->r[i]));
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, tolerance, 2, MPIU_REAL, MPI_MAX, units->comm));
+  for (PetscInt a = 0; a < units->num; a++)
+    most[2] = PetscMax(most[2], PetscMax(units->unit[a].stiffness, units->unit[a].resistance));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, most, 3, MPIU_REAL, MPI_MAX, units->comm));
+  PetscCall(FrictionUnitsResidual(units, 1, &residual, &size));
+  tolerance[0] = PetscMin(most[0], TIE_PART * FRICTION_RTOL * size / PetscSqrtReal(most[2]));
+  tolerance[1] = most[1];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -309,6 +319,29 @@ void FrictionUnitsForget(FrictionUnits *units)
   for (PetscInt a = 0; a < units->num; a++) {
     units->unit[a].closed = units->unit[a].ended = PETSC_FALSE;
     units->unit[a].status                        = UNIT_FREE;
+  }
+}
+
+void FrictionUnitsBegin(FrictionUnits *units, const PetscReal given[])
+{
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit *unit = &units->unit[a];
+    PetscReal     s[FRICTION_TANGENTS], size = 0, limit;
+    PetscBool     sticks = PETSC_TRUE;
+
+    unit->closed = (PetscBool)(given[unit->normal] > GIVEN_FROM);
+    limit        = unit->closed ? FrictionUnitLimit(unit, units->r[unit->normal]) : unit->bound;
+    for (PetscInt i = 0; i < unit->num; i++) {
+      s[i]   = units->y[unit->tangent[i]] - unit->origin[i];
+      sticks = (PetscBool)(sticks && given[unit->tangent[i]] > GIVEN_FROM);
+      size += s[i] * s[i];
+    }
+    size         = PetscSqrtReal(size);
+    unit->status = limit > 0 || (unit->closed && unit->coefficient > 0) ? UNIT_STICK : UNIT_FREE;
+    if (unit->status == UNIT_FREE || sticks || size == 0) continue;
+    unit->status  = UNIT_SLIP;
+    unit->turning = limit / size;
+    for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = s[i] / size;
   }
 }
 

@@ -274,6 +274,7 @@ PetscErrorCode SolverCreateContext(Solver solver, const SolverReport *report, So
   PetscFunctionBeginUser;
   PetscCall(SolverChoiceSet(solver, &choice));
   if (report) { // a fallback may have replaced the choice
+    choice.replaces = report->gave_way;
     PetscCall(PetscStrncpy(choice.ksp, report->ksp, sizeof(choice.ksp)));
     PetscCall(PetscStrncpy(choice.pc, report->pc, sizeof(choice.pc)));
   }

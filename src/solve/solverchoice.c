@@ -427,8 +427,9 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
   char            words[128], why[160];
 
   PetscFunctionBeginUser;
-  *again = (PetscBool)(choice->own && !report->converged &&
-                       (costly || choice->reducible || !strcmp(report->reason, FAILURE_ITERATIVE)));
+  *again = (PetscBool)(!report->converged &&
+                       (choice->own ? costly || choice->reducible || !strcmp(report->reason, FAILURE_ITERATIVE)
+                                    : choice->reducible && !report->slid));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {
@@ -442,6 +443,7 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
                        "%s %s; factorizing instead", words, why));
   choice->nested = choice->stop = PETSC_FALSE; // a factorization has no error estimate to stop at
   choice->reducible             = PETSC_FALSE;
+  choice->replaces              = PETSC_TRUE;
   PetscCall(SolverChoiceFactor_Private(choice));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

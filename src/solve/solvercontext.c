@@ -6,7 +6,8 @@
 #include "solve/solvercontext.h"
 #include "multigrid/multigrid.h"
 
-/* Sets defaults in the options database where the user has set nothing, or removes them. */
+/* Sets defaults in the options database where the user has set nothing, or all that are forced; or removes
+   them. */
 static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context, PetscBool apply)
 {
   Default *defaults = context->defaults;
@@ -21,7 +22,7 @@ static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context,
     if (apply) {
       PetscCall(PetscOptionsGetString(NULL, NULL, option, defaults[i].given, sizeof(defaults[i].given), &there));
       defaults[i].set = (PetscBool)!there;
-      if (defaults[i].set) PetscCall(PetscOptionsSetValue(NULL, option, defaults[i].value));
+      if (defaults[i].set || defaults[i].forced) PetscCall(PetscOptionsSetValue(NULL, option, defaults[i].value));
     } else if (defaults[i].set) {
       PetscCall(PetscOptionsClearValue(NULL, option));
     } else {
@@ -33,7 +34,8 @@ static PetscErrorCode SolverContextDefaultsApply_Private(SolverContext *context,
 
 /* MUMPS: workspace margin in percent; approximate minimum degree, which orders 2D meshes in a fifth of the
    time of MUMPS' own choice, for factors of the same size. A tolerance in the unit of y, which is of order
-   one. [in] previous - whether there is an initial set */
+   one. The linear solver that replaces the user's, which failed. [in] previous - whether there is an initial
+   set */
 static void SolverContextDefaults_Private(VI vi, const SolverChoice *choice, PetscBool previous, Default defaults[])
 {
   const PetscBool direct = SolverChoiceFactors(choice->pc), pdas = (PetscBool)!strcmp(choice->snes, SNESPDAS);
@@ -42,6 +44,8 @@ static void SolverContextDefaults_Private(VI vi, const SolverChoice *choice, Pet
   defaults[1] = (Default){.name = "mat_mumps_icntl_7", .value = "0", .needed = direct && vi->level->dim == 2};
   defaults[2] = (Default){.name = "snes_vi_zero_tolerance", .value = "1e-12", .needed = !pdas};
   defaults[3] = (Default){.name = "snes_pdas_start", .value = "previous", .needed = pdas && previous};
+  defaults[4] = (Default){.name = "ksp_type", .value = KSPPREONLY, .needed = choice->replaces, .forced = PETSC_TRUE};
+  defaults[5] = (Default){.name = "pc_type", .value = PCCHOLESKY, .needed = choice->replaces, .forced = PETSC_TRUE};
 }
 
 /* Prepares A for the choice: as products for multigrid, as a matrix for others; rigid body modes for AMG. */

@@ -9,12 +9,12 @@
 /* An option of PETSc that has no function. */
 typedef struct {
   const char *name, *value;
-  bool        needed;
-  PetscBool   set;       /* set here, to be cleared here */
-  char        given[32]; /* of the user, to be restored */
+  bool        needed, forced; /* forced: in place of the user's */
+  PetscBool   set;            /* set here, to be cleared here */
+  char        given[32];      /* of the user, to be restored */
 } Default;
 
-enum { SOLVERCONTEXT_DEFAULTS = 4 };
+enum { SOLVERCONTEXT_DEFAULTS = 6 };
 
 struct _n_SolverContext {
   Solver       solver; /* borrowed */

@@ -18,6 +18,7 @@ typedef struct {
   PetscInt    max_it;                    /* largest number of iterations, if larger than usual */
   PetscBool   yields;                    /* whether a cheaper factorization may replace it */
   PetscBool   keep;                      /* whether the solver keeps the multigrid levels for the next solve */
+  PetscBool   replaces;                  /* whether it replaces one that failed, the user's, too */
   PetscBool   reducible;                 /* with friction at full size: whether its dense system could be solved */
   PetscBool   fixed_point;               /* with friction: over Tresca's, for the second solution */
   PetscBool   again;                     /* whether it keeps everything, for the same matrices at another time */
