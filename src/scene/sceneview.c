@@ -184,57 +184,72 @@ static void ViewCountMaterial_Private(const SceneMaterial *m, PetscInt *num, Pet
   for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(data); i++) ViewCount_Private(data[i], num, num_varying);
 }
 
-PetscErrorCode SceneViewLeftOut(Scene scene)
-{
-  PetscInt num = 0, num_varying = 0, num_obstacles = 0, num_forces = 0, num_tied = 0, num_straightened = 0, highest = 1;
+/* What a scene has. */
+typedef struct {
+  PetscInt data, varying; /* numbers and formulas; those that vary */
+  PetscInt obstacles, tied, forces;
+  PetscInt straightened; /* bodies of order 1 whose file has curved sides */
+  PetscInt highest;      /* order */
+} SceneCounts;
 
-  PetscFunctionBeginUser;
+static SceneCounts ViewCountScene_Private(Scene scene)
+{
+  SceneCounts n = {.highest = 1};
+
   for (const SceneBody *b = scene->bodies; b < scene->bodies + scene->num_bodies; b++) {
-    ViewCountMaterial_Private(&b->material, &num, &num_varying);
-    ViewCount_Private(b->map, &num, &num_varying);
-    ViewCount_Private(b->pretension, &num, &num_varying);
-    ViewCount_Private(b->exact, &num, &num_varying);
-    for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &num, &num_varying);
-    num_forces += b->material.body_force ? 1 : 0;
-    num_straightened += b->straightened ? 1 : 0;
-    highest = PetscMax(highest, b->order);
+    ViewCountMaterial_Private(&b->material, &n.data, &n.varying);
+    ViewCount_Private(b->map, &n.data, &n.varying);
+    ViewCount_Private(b->pretension, &n.data, &n.varying);
+    ViewCount_Private(b->exact, &n.data, &n.varying);
+    for (PetscInt i = 0; i < b->num_boundaries; i++) ViewCount_Private(b->boundaries[i].value, &n.data, &n.varying);
+    n.forces += b->material.body_force ? 1 : 0;
+    n.straightened += b->straightened ? 1 : 0;
+    n.highest = PetscMax(n.highest, b->order);
   }
   for (const SceneRegion *r = scene->regions; r < scene->regions + scene->num_regions; r++) {
-    ViewCountMaterial_Private(&r->material, &num, &num_varying);
-    num_forces += r->material.body_force ? 1 : 0;
+    ViewCountMaterial_Private(&r->material, &n.data, &n.varying);
+    n.forces += r->material.body_force ? 1 : 0;
   }
   for (const ScenePair *p = scene->pairs; p < scene->pairs + scene->num_pairs; p++) {
-    ViewCount_Private(p->gap, &num, &num_varying);
-    ViewCount_Private(p->gap_offset, &num, &num_varying);
-    ViewCount_Private(p->obstacle.gap, &num, &num_varying);
-    ViewCount_Private(p->exact, &num, &num_varying);
-    ViewCount_Private(p->friction, &num, &num_varying);
-    ViewCount_Private(p->bound, &num, &num_varying);
-    num_obstacles += p->obstacle.kind != OBSTACLE_NONE;
-    num_tied += p->type == PAIR_TIED;
+    ViewCount_Private(p->gap, &n.data, &n.varying);
+    ViewCount_Private(p->gap_offset, &n.data, &n.varying);
+    ViewCount_Private(p->obstacle.gap, &n.data, &n.varying);
+    ViewCount_Private(p->exact, &n.data, &n.varying);
+    ViewCount_Private(p->friction, &n.data, &n.varying);
+    ViewCount_Private(p->bound, &n.data, &n.varying);
+    n.obstacles += p->obstacle.kind != OBSTACLE_NONE;
+    n.tied += p->type == PAIR_TIED;
   }
+  return n;
+}
+
+PetscErrorCode SceneViewLeftOut(Scene scene)
+{
+  const SceneCounts n = ViewCountScene_Private(scene);
+
+  PetscFunctionBeginUser;
   PetscCall(ViewPrint_Private(scene, "  left out:\n"));
-  if (num_tied == scene->num_pairs)
+  if (n.tied == scene->num_pairs)
     PetscCall(ViewPrint_Private(
         scene, "    inequalities and active sets: no pair can open, one linear system is the answer\n"));
-  if (num_obstacles) {
+  if (n.obstacles) {
     PetscCall(ViewPrint_Private(
-        scene, "    mesh, search and coupling of %" PetscInt_FMT " mortar side%s: obstacles are rigid\n", num_obstacles,
-        num_obstacles == 1 ? "" : "s"));
+        scene, "    mesh, search and coupling of %" PetscInt_FMT " mortar side%s: obstacles are rigid\n", n.obstacles,
+        n.obstacles == 1 ? "" : "s"));
   }
-  if (num_varying < num) {
+  if (n.varying < n.data) {
     PetscCall(ViewPrint_Private(
         scene, "    evaluation of formulas for %" PetscInt_FMT " of %" PetscInt_FMT " data: plain numbers\n",
-        num - num_varying, num));
+        n.data - n.varying, n.data));
   }
-  if (!num_forces) PetscCall(ViewPrint_Private(scene, "    forces on the inside of bodies: none given\n"));
-  if (num_straightened) {
+  if (!n.forces) PetscCall(ViewPrint_Private(scene, "    forces on the inside of bodies: none given\n"));
+  if (n.straightened) {
     PetscCall(ViewPrint_Private(scene,
                                 "    curved sides in the mesh files of %" PetscInt_FMT " of %" PetscInt_FMT
                                 " bodies: of order 1 they are chords\n",
-                                num_straightened, scene->num_bodies));
+                                n.straightened, scene->num_bodies));
   }
-  if (highest == 1) PetscCall(ViewPrint_Private(scene, "    nodes on edges: every body is of order 1\n"));
+  if (n.highest == 1) PetscCall(ViewPrint_Private(scene, "    nodes on edges: every body is of order 1\n"));
   if (!scene->refine) PetscCall(ViewPrint_Private(scene, "    coarser and finer meshes: -dm_refine is 0\n"));
   if (!scene->output) PetscCall(ViewPrint_Private(scene, "    files: no -output\n"));
   PetscFunctionReturn(PETSC_SUCCESS);
