@@ -21,10 +21,18 @@ enum { MPI_SECONDS = 5 };    /* limit for MPI to end the other ranks: this proce
 
 static char      last_sentence[USER_ERROR_LENGTH];
 static PetscBool quiet, installed; /* whether stderr is left alone; whether the handler is below all others */
+static PetscBool muted, waiting;   /* UserErrorMute(); whether this rank has a sentence that is not printed */
 
 const char *UserErrorSentence(void)
 {
   return last_sentence;
+}
+
+static void UserErrorPrint_Private(void)
+{
+  fflush(stdout); // what was printed before the mistake stands before it
+  fprintf(stderr, "mortise: %s\n", last_sentence);
+  fflush(stderr);
 }
 
 /* Keeps the sentence. The first rank of comm prints it, in one write so that ranks' lines do not mix. Calls
@@ -38,9 +46,10 @@ static void UserErrorTell_Private(MPI_Comm comm, const char sentence[])
   MPI_Finalized(&ended);
   if (begun && !ended) MPI_Comm_rank(comm, &rank);
   if (rank || quiet) return;
-  fflush(stdout); // what was printed before the mistake stands before it
-  fprintf(stderr, "mortise: %s\n", last_sentence);
-  fflush(stderr);
+  if (muted)
+    waiting = PETSC_TRUE;
+  else
+    UserErrorPrint_Private();
 }
 
 /* Whether an error of PETSc is about the user's input. These are errors while it reads options, and unknown
@@ -301,6 +310,18 @@ PetscErrorCode UserErrorUnsilence(void)
 void UserErrorSetQuiet(PetscBool on)
 {
   quiet = on;
+}
+
+void UserErrorMute(void)
+{
+  muted   = PETSC_TRUE;
+  waiting = PETSC_FALSE;
+}
+
+void UserErrorUnmute(PetscBool print)
+{
+  muted = PETSC_FALSE;
+  if (print && waiting) UserErrorPrint_Private();
 }
 
 PetscErrorCode UserErrorRaise(MPI_Comm comm, const char format[], ...)

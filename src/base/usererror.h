@@ -42,6 +42,11 @@ PetscErrorCode UserErrorUnsilence(void);
    Not collective. */
 void UserErrorSetQuiet(PetscBool quiet);
 
+/* Between these two calls sentences are not printed, so that the caller can go on after an error. The second
+   one prints the last of them if asked to. Not collective. */
+void UserErrorMute(void);
+void UserErrorUnmute(PetscBool print);
+
 /* From now on a crash ends all ranks with exit code MORTISE_FAILED and one sentence. Signals that end the
    program are handled by interrupt.h; a limit on the size of files acts like a full disk. Not collective;
    call after PetscInitialize(). */

@@ -325,6 +325,20 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode MeshReturn(Mesh mesh, PetscInt num_levels)
+{
+  PetscFunctionBeginUser;
+  for (PetscInt l = num_levels; l < mesh->num_levels; l++) PetscCall(LevelDestroy(&mesh->levels[l]));
+  mesh->num_levels   = num_levels;
+  mesh->forest->lost = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool MeshCanAdapt(Mesh mesh)
+{
+  return (PetscBool)(mesh->forest && !mesh->forest->lost);
+}
+
 PetscBool MeshIsCut(Mesh mesh, PetscInt body)
 {
   return (PetscBool)(mesh->forest && mesh->forest->cut[body]);

@@ -85,6 +85,7 @@ struct _n_MeshForest {
   ForestCell  *cell;            /* by their number in the lists [num_cells] */
   PetscInt    *gathered;        /* the list's number of each cell, rank after rank [num_cells] */
   PetscMPIInt *counts, *begins; /* cells of every rank; NULL on others [size] */
+  PetscBool    lost;            /* whether the lists are those of a level that MeshReturn() has destroyed */
 };
 typedef struct _n_MeshForest *MeshForest;
 

@@ -115,6 +115,11 @@ PetscErrorCode MeshRefine(Mesh mesh);
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[]);
 /* The same with all cells marked once. Collective. */
 PetscErrorCode MeshAdaptAll(Mesh mesh);
+/* Goes back to the first levels of the mesh, after MeshAdapt() or the work on its level has failed. Finer
+   ones are destroyed, and MeshAdapt() is no longer possible. Collective. [in] num_levels - that remain */
+PetscErrorCode MeshReturn(Mesh mesh, PetscInt num_levels);
+/* Whether MeshAdapt() is possible. Not collective. */
+PetscBool MeshCanAdapt(Mesh mesh);
 /* Whether the quadrilaterals or hexahedra of a body were cut into simplices: only simplices can be bisected.
    Not collective. */
 PetscBool MeshIsCut(Mesh mesh, PetscInt body);

@@ -30,7 +30,7 @@ typedef struct {
   char      linear[128];     /* what solved the linear systems, in words */
   char      ksp[64], pc[64]; /* the same, types of PETSc */
   PetscBool converged;
-  char      reason[256]; /* reason of a failure, as a sentence; "" when converged */
+  char      reason[512]; /* reason of a failure, as a sentence; "" when converged */
   PetscInt  iterations, active, linear_iterations;
   PetscInt  num_changed,
       changed[SOLVER_MAX_HISTORY]; /* per iteration; num_changed = 0 for types without this information */

@@ -1,77 +1,17 @@
 /* adaptive.c -- solve, estimate, mark, refine. */
-#include "study/adaptive.h"
+#include "study/adaptiveimpl.h"
 #include "base/compat.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/usererror.h"
 #include "base/warning.h"
 #include "problem/elasticity.h"
-#include "study/costforecast.h"
-#include "study/envelope.h"
 #include "study/marking.h"
 #include "study/promotion.h"
 #include <stdlib.h>
 
-enum {
-  TEXT_LENGTH  = 320,
-  TIME_TEXT    = 40,
-  FIRST_MESHES = 3, /* least number that a bar needs, unless there is nothing to refine */
-  RATE_MESHES  = 5, /* least number that shows no progress: on coarse ones estimates may rise and fall */
-  KEPT_RUNS    = 4  /* meshes of a load step beside the latest one: bars compare five */
-};
-
-/* Smallest ratio of errors that is no progress, with so many times the unknowns. With friction no energy
-   tells whether a rise is one of coarse meshes. */
-static const PetscReal STALLED = 0.9, STALLED_GROWTH = 2, STALLED_GROWTH_FRICTION = 4;
-static const PetscReal KEEP_SECONDS =
-    5; /* between files: of work that an interruption loses, besides the present mesh */
 static const PetscReal PERCENT = 100;
-
-/* A run on an earlier mesh. */
-typedef struct {
-  Run      run;
-  PetscInt num_levels; /* of its mesh */
-} OlderRun;
-
-struct _n_Adaptive {
-  Scene        scene; /* borrowed */
-  Mesh         mesh;  /* borrowed */
-  MeshHistory  own;
-  Envelope     envelope; /* with load steps that are all solved on each mesh, else empty */
-  MeshHistory *history;  /* own, or that of the envelope's worst step */
-  PetscInt     first;    /* meshes before those of the history */
-  PetscInt     num_older;
-  OlderRun     older[KEPT_RUNS]; /* with load steps, coarse first */
-  CostPoint    cost[2];          /* of the latest two meshes, the latest first */
-  PetscReal    rate;             /* of errors in the number of unknowns */
-  PetscBool    quiet;
-  PetscReal    end;        /* time at which the last step of the envelope ended, or all work before */
-  PetscReal    kept;       /* time at which files were written last */
-  PetscReal   *indicators; /* of goals on the latest mesh, GoalsSolve() */
-  PetscBool    dual;       /* whether their dual problems are solved */
-  PetscInt    *marked;     /* cells of the latest mesh that the next one refines */
-  PetscReal    growth;     /* expected with them, of the number of cells */
-};
-
-static const SolvedMesh *AdaptiveGetLast_Private(const struct _n_Adaptive *adaptive)
-{
-  return &adaptive->history->mesh[adaptive->history->num - 1];
-}
-
-/* Whether the error in the energy norm is as small as asked for. */
-static PetscBool AdaptiveEnergyIsMet_Private(const struct _n_Adaptive *adaptive)
-{
-  const PetscReal tolerance = adaptive->scene->adapt.tolerance;
-
-  return (PetscBool)(tolerance == 0 || SolvedMeshGetError(AdaptiveGetLast_Private(adaptive)) <= tolerance);
-}
-
-/* Whether all errors are as small as asked for. */
-static PetscBool AdaptiveIsMet_Private(const struct _n_Adaptive *adaptive)
-{
-  return (PetscBool)(AdaptiveEnergyIsMet_Private(adaptive) &&
-                     GoalsAreMet(adaptive->scene, AdaptiveGetLast_Private(adaptive)->goals));
-}
 
 /* The order of convergence in the number of unknowns: p / dim for the lowest order of the bodies.
    Collective. */
@@ -93,7 +33,7 @@ static PetscErrorCode AdaptiveSetRate_Private(Adaptive adaptive)
    the energy norm. */
 static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
 {
-  const SolvedMesh *mesh  = AdaptiveGetLast_Private(adaptive);
+  const SolvedMesh *mesh  = AdaptiveGetLast(adaptive);
   const SceneAdapt *plan  = &adaptive->scene->adapt;
   PetscReal         ratio = plan->tolerance > 0 ? SolvedMeshGetError(mesh) / plan->tolerance : 0;
 
@@ -104,12 +44,6 @@ static PetscReal AdaptiveForecast_Private(const struct _n_Adaptive *adaptive)
       ratio = PetscMax(ratio, PetscSqrtReal(goal->bar / PetscAbsReal(goal->value) / plan->goal_tolerance));
   }
   return mesh->unknowns * PetscPowReal(ratio, 1 / adaptive->rate);
-}
-
-/* Expected unknowns of the next mesh. */
-static PetscReal AdaptiveNext_Private(const struct _n_Adaptive *adaptive)
-{
-  return adaptive->growth * AdaptiveGetLast_Private(adaptive)->unknowns;
 }
 
 /* Prints a line for each body whose cells were cut. In the plane it says where that costs most.
@@ -155,7 +89,7 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
 {
   const Envelope   *envelope = &adaptive->envelope;
   const MPI_Comm    comm     = adaptive->scene->comm;
-  const SolvedMesh *mesh     = AdaptiveGetLast_Private(adaptive);
+  const SolvedMesh *mesh     = AdaptiveGetLast(adaptive);
   const PetscReal   expected = AdaptiveForecast_Private(adaptive);
 
   PetscFunctionBeginUser;
@@ -177,171 +111,9 @@ static PetscErrorCode AdaptivePrint_Private(const struct _n_Adaptive *adaptive)
   }
   if (envelope->num > 1)
     PetscCall(PetscPrintf(comm, "  largest error at t = %.9g", (double)adaptive->scene->steps.t[envelope->worst]));
-  if (!AdaptiveIsMet_Private(adaptive) && expected > mesh->unknowns)
+  if (!AdaptiveIsMet(adaptive) && expected > mesh->unknowns)
     PetscCall(PetscPrintf(comm, "  %.2g unknowns expected to be enough", (double)expected));
   PetscCall(PetscPrintf(comm, "\n"));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-static PetscReal AdaptiveGetStalledGrowth_Private(const Scene scene)
-{
-  return SceneHasFriction(scene) ? STALLED_GROWTH_FRICTION : STALLED_GROWTH;
-}
-
-/* Whether estimates have hardly fallen since there were a half, or a quarter, of the unknowns. They are not
-   calibrated here: calibrations of coarse meshes may jump. Where coarse meshes are too stiff estimates may
-   even rise; then the energy falls, and by more than they tell. Or they rise where refined curves meet coarse
-   ones, and fall from mesh to mesh afterwards. */
-static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
-{
-  const PetscReal   growth = AdaptiveGetStalledGrowth_Private(adaptive->scene);
-  const SolvedMesh *mesh   = AdaptiveGetLast_Private(adaptive), *before;
-  PetscInt          k      = adaptive->history->num - 1;
-
-  if (adaptive->first + adaptive->history->num < RATE_MESHES) return PETSC_FALSE;
-  while (k > 0 && growth * adaptive->history->mesh[k].unknowns > mesh->unknowns) k--;
-  before = &adaptive->history->mesh[k];
-  if (SolvedMeshGetError(before) >= 1) return PETSC_FALSE; // the mesh hardly resolves the contact
-  if (growth * before->unknowns > mesh->unknowns || mesh->eta <= STALLED * before->eta) return PETSC_FALSE;
-  if (mesh->eta <= STALLED * mesh[-1].eta) return PETSC_FALSE;
-  if (!SceneHasFriction(adaptive->scene) &&
-      SolvedMeshGetEnergy(before) - SolvedMeshGetEnergy(mesh) > (1 - PetscSqr(STALLED)) * PetscSqr(before->eta))
-    return PETSC_FALSE;
-  for (PetscInt g = 0; g < adaptive->scene->adapt.num_goals; g++) {
-    if (mesh->goals[g].product <= STALLED * before->goals[g].product) return PETSC_FALSE;
-  }
-  return PETSC_TRUE;
-}
-
-/* Memory of all processes with the next mesh; 0 without a limit. [in] next - its unknowns */
-static PetscReal AdaptiveGetForecastBytes_Private(const struct _n_Adaptive *adaptive, PetscReal next)
-{
-  if (!(adaptive->scene->adapt.memory < PETSC_INFINITY)) return 0;
-  return CostForecastNext(adaptive->scene, &adaptive->cost[0], adaptive->cost[1].unknowns ? &adaptive->cost[1] : NULL,
-                          next);
-}
-
-/* [out] why - [TEXT_LENGTH] */
-static void AdaptiveTellMemory_Private(const struct _n_Adaptive *adaptive, PetscReal next, char why[])
-{
-  char needed[BYTES_TEXT], limit[BYTES_TEXT];
-
-  CostForecastPrintBytes(AdaptiveGetForecastBytes_Private(adaptive, next), needed);
-  CostForecastPrintBytes(adaptive->scene->adapt.memory, limit);
-  (void)snprintf(why, TEXT_LENGTH, "the next mesh would need about %s, -study_memory allows %s", needed, limit);
-}
-
-/* Whether this mesh is the last one. [out] why - "" where the error is small enough [TEXT_LENGTH] */
-static PetscBool AdaptiveIsOver_Private(const struct _n_Adaptive *adaptive, char why[])
-{
-  const SceneAdapt *plan = &adaptive->scene->adapt;
-  const PetscReal   next = AdaptiveNext_Private(adaptive);
-
-  why[0] = '\0';
-  if (SolvedMeshIsExact(AdaptiveGetLast_Private(adaptive))) return PETSC_TRUE;
-  if (AdaptiveIsMet_Private(adaptive) && adaptive->history->num >= FIRST_MESHES) return PETSC_TRUE;
-  if (!adaptive->dual)
-    (void)snprintf(why, TEXT_LENGTH, "a dual problem was not solved");
-  else if (adaptive->first + adaptive->history->num >= plan->max_meshes)
-    (void)snprintf(why, TEXT_LENGTH, "-adapt_max_meshes %" PetscInt_FMT " ends the refinement", plan->max_meshes);
-  else if (next > plan->max_unknowns)
-    (void)snprintf(why, TEXT_LENGTH, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
-                   (double)next, (double)plan->max_unknowns);
-  else if (AdaptiveGetForecastBytes_Private(adaptive, next) > plan->memory)
-    AdaptiveTellMemory_Private(adaptive, next, why);
-  else if (AdaptiveIsStalled_Private(adaptive))
-    (void)snprintf(why, TEXT_LENGTH, "%s the unknowns have hardly lowered it",
-                   SceneHasFriction(adaptive->scene) ? "four times" : "twice");
-  if (why[0] && AdaptiveIsMet_Private(adaptive))
-    why[0] = '\0'; // few meshes, but what was asked for
-  else if (!why[0])
-    return PETSC_FALSE;
-  return PETSC_TRUE;
-}
-
-/* Writes the reason why errors are larger than asked for to the report. [in] why - "" where they are not */
-static PetscErrorCode AdaptiveSetVerdict_Private(const struct _n_Adaptive *adaptive, Run run, const char why[])
-{
-  const Scene       scene           = adaptive->scene;
-  const SolvedMesh *mesh            = AdaptiveGetLast_Private(adaptive);
-  const size_t      room            = sizeof(run->report.reason);
-  const Envelope   *envelope        = &adaptive->envelope;
-  char              when[TIME_TEXT] = "";
-  PetscInt          g               = 0;
-
-  PetscFunctionBeginUser;
-  if (!why[0]) PetscFunctionReturn(PETSC_SUCCESS);
-  run->solved           = PETSC_FALSE;
-  run->report.converged = PETSC_FALSE;
-  if (envelope->num > 1) (void)snprintf(when, sizeof(when), "at t = %.9g ", (double)scene->steps.t[envelope->worst]);
-  if (!AdaptiveEnergyIsMet_Private(adaptive)) {
-    PetscCall(PetscSNPrintf(run->report.reason, room,
-                            "%sthe error is about %.2g of the solution in the energy norm, -adapt asks for %g: %s",
-                            when, (double)SolvedMeshGetError(mesh), (double)scene->adapt.tolerance, why));
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  while (g < scene->adapt.num_goals && GoalIsMet(scene, &mesh->goals[g])) g++;
-  if (g == scene->adapt.num_goals) {
-    PetscCall(PetscSNPrintf(run->report.reason, room, "%s", why));
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  if (PetscIsNanReal(mesh->goals[g].bar))
-    PetscCall(PetscSNPrintf(run->report.reason, room, "%s has no error bar%s: %s", scene->adapt.goals[g].text,
-                            scene->adapt.goals[g].kind == GOAL_PRESSURE ? ", it may grow without limit" : "", why));
-  else
-    PetscCall(PetscSNPrintf(
-        run->report.reason, room, "%s = %.6g is known to about %.2g of itself, -adapt_goal_tolerance asks for %g: %s",
-        scene->adapt.goals[g].text, (double)mesh->goals[g].value,
-        (double)(mesh->goals[g].bar / PetscAbsReal(mesh->goals[g].value)), (double)scene->adapt.goal_tolerance, why));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Sets the sentence of an interruption. [in] kept - whether files have the latest mesh */
-static void AdaptiveSetInterruptSentence_Private(const struct _n_Adaptive *adaptive, PetscBool kept)
-{
-  const Scene scene = adaptive->scene;
-  char        text[PETSC_MAX_PATH_LEN + TEXT_LENGTH];
-
-  if (kept) {
-    (void)snprintf(text, sizeof(text), "mortise: interrupted; %s.json and the other files hold mesh %d, error %.3g%%\n",
-                   scene->output, (int)adaptive->history->num,
-                   (double)(PERCENT * SolvedMeshGetError(AdaptiveGetLast_Private(adaptive))));
-  } else {
-    (void)snprintf(text, sizeof(text), "mortise: interrupted; nothing was written yet\n");
-  }
-  InterruptSetSentence(text);
-}
-
-/* Writes the files of a mesh that is not the last one, unless that was done a few seconds ago. Collective. */
-static PetscErrorCode AdaptiveKeep_Private(Adaptive adaptive, Run run)
-{
-  const Scene        scene  = adaptive->scene;
-  const SolverReport report = run->report;
-  PetscBool          wanted = (PetscBool)(scene->output && LogWallClock() - adaptive->kept >= KEEP_SECONDS);
-  SummaryInput       input;
-  Output             output;
-  char               path[PETSC_MAX_PATH_LEN], *text;
-
-  PetscFunctionBeginUser;
-  PetscCallMPI(MPI_Bcast(&wanted, 1, MPIU_BOOL, 0, scene->comm));
-  if (!wanted) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MeshHistoryDescribe(adaptive->history, run));
-  PetscCall(AdaptiveSetVerdict_Private(adaptive, run, "interrupted"));
-  input = RunSummary(run);
-  PetscCall(OutputCreate(scene->comm, &output));
-  PetscCall(OutputAddFields(output, run->fields));
-  PetscCall(SummaryCreate(&input, &text));
-  PetscCall(PetscSNPrintf(path, sizeof(path), "%s.json", scene->output));
-  PetscCall(OutputAddText(output, path, text)); // the last file: if it is there, the result is complete
-  free(text);
-  InterruptHold();
-  PetscCall(OutputFinish(&output));
-  AdaptiveSetInterruptSentence_Private(adaptive, PETSC_TRUE);
-  InterruptRelease();
-  RunForgetBlocks(run);
-  run->solved    = PETSC_TRUE;
-  run->report    = report;
-  adaptive->kept = LogWallClock();
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -354,9 +126,9 @@ static PetscErrorCode AdaptiveMark_Private(Adaptive adaptive, Run run)
   PetscFunctionBeginUser;
   PetscCall(PetscFree(adaptive->marked));
   if (scene->adapt.num_goals) {
-    const PetscBool energy = (PetscBool)!AdaptiveEnergyIsMet_Private(adaptive);
+    const PetscBool energy = (PetscBool)!AdaptiveEnergyIsMet(adaptive);
 
-    PetscCall(GoalsMark(run, energy, AdaptiveGetLast_Private(adaptive)->goals, adaptive->indicators, &adaptive->marked,
+    PetscCall(GoalsMark(run, energy, AdaptiveGetLast(adaptive)->goals, adaptive->indicators, &adaptive->marked,
                         &adaptive->growth));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
@@ -383,7 +155,7 @@ static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive,
 /* Measures the peak of memory so far, if that is limited. Collective. */
 static PetscErrorCode AdaptiveMeasureMemory_Private(Adaptive adaptive)
 {
-  CostPoint latest = {.unknowns = AdaptiveGetLast_Private(adaptive)->unknowns};
+  CostPoint latest = {.unknowns = AdaptiveGetLast(adaptive)->unknowns};
 
   PetscFunctionBeginUser;
   if (!(adaptive->scene->adapt.memory < PETSC_INFINITY)) PetscFunctionReturn(PETSC_SUCCESS);
@@ -465,6 +237,39 @@ static PetscErrorCode AdaptiveExtend_Private(Adaptive adaptive, Vec guess, Petsc
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Makes the next mesh and solves on it. Collective.
+   [in] tighten, [in,out] run - of AdaptiveExtend_Private() */
+static PetscErrorCode AdaptiveTryNext_Private(Adaptive adaptive, PetscBool tighten, Run *run)
+{
+  Vec guess;
+
+  PetscFunctionBeginUser;
+  PetscCall(AdaptiveRefine_Private(adaptive, adaptive->mesh, *run, &guess));
+  PetscCall(AdaptiveExtend_Private(adaptive, guess, tighten, run));
+  PetscCall(VecDestroy(&guess));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Goes on to the next mesh, or ends on the present one if that fails. Collective. [in] tighten,
+   [in,out] run - of AdaptiveExtend_Private() */
+static PetscErrorCode AdaptiveGoOn_Private(Adaptive adaptive, PetscBool tighten, Run *run)
+{
+  const PetscInt levels = adaptive->mesh->num_levels;
+  Vec            last   = (*run)->fields->u;
+  PetscBool      failed;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscObjectReference((PetscObject)last));
+  UserErrorMute();
+  PetscCall(AdaptiveForgive(AdaptiveTryNext_Private(adaptive, tighten, run), &failed));
+  if (failed || !(*run)->solved) {
+    AdaptiveSetFailure(adaptive, adaptive->first + adaptive->history->num + 1, failed ? NULL : *run);
+    PetscCall(AdaptiveReturn(adaptive, last, levels, run));
+  }
+  PetscCall(VecDestroy(&last));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode AdaptiveCreate(Scene scene, Mesh mesh, Adaptive *adaptive)
 {
   PetscFunctionBeginUser;
@@ -498,30 +303,32 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run)
 {
   const PetscBool tighten = (PetscBool) !*run;
   PetscReal       begin   = LogWallClock();
-  char            why[TEXT_LENGTH];
-  Vec             own = NULL;
+  char            why[ADAPTIVE_TEXT];
 
   PetscFunctionBeginUser;
   PetscCall(MeshHistoryDestroy(&adaptive->own));
+  adaptive->failure[0] = '\0';
   WarningHold();
   PetscCall(*run ? AdaptiveAdvance_Private(adaptive, guess, run)
                  : RunCreate(adaptive->scene, adaptive->mesh, guess, run));
+  if (!(*run)->solved && adaptive->own.num) { // meshes that were kept have solutions at this time
+    AdaptiveSetFailure(adaptive, adaptive->first + adaptive->own.num + 1, *run);
+    PetscCall(AdaptiveReturn(adaptive, NULL, adaptive->older[adaptive->num_older - 1].num_levels, run));
+  }
   while (PETSC_TRUE) {
     adaptive->scene->view = PETSC_FALSE; // of the first mesh alone
-    PetscCall(VecDestroy(&own));
     if (!(*run)->solved) break;
     PetscCall(AdaptiveAdd_Private(adaptive, *run, begin));
     PetscCall(AdaptivePrint_Private(adaptive));
     begin = LogWallClock();
     PetscCall(AdaptiveMark_Private(adaptive, *run));
-    if (AdaptiveIsOver_Private(adaptive, why)) {
+    if (AdaptiveIsOver(adaptive, why)) {
       PetscCall(MeshHistoryDescribe(adaptive->history, *run));
-      PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
+      PetscCall(AdaptiveSetVerdict(adaptive, *run, why));
       break;
     }
-    if (!adaptive->scene->steps.num) PetscCall(AdaptiveKeep_Private(adaptive, *run));
-    PetscCall(AdaptiveRefine_Private(adaptive, adaptive->mesh, *run, &own));
-    PetscCall(AdaptiveExtend_Private(adaptive, own, tighten, run));
+    if (!adaptive->scene->steps.num) PetscCall(AdaptiveKeep(adaptive, *run));
+    PetscCall(AdaptiveGoOn_Private(adaptive, tighten, run));
   }
   WarningRelease();
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -540,26 +347,15 @@ PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i)
   return (PetscBool)(EnvelopeGetError(&adaptive->envelope, i) <= adaptive->scene->adapt.tolerance);
 }
 
-PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess)
+/* Makes the next mesh for all steps, and interpolates their displacements to it. Collective.
+   [out] guess - owned by the caller [steps] */
+static PetscErrorCode AdaptiveRefineAll_Private(Adaptive adaptive, Vec **guess)
 {
-  const Mesh     mesh     = adaptive->mesh;
-  const PetscInt level    = mesh->num_levels - 1;
-  Envelope      *envelope = &adaptive->envelope;
-  char           why[TEXT_LENGTH];
+  const Envelope *envelope = &adaptive->envelope;
+  const Mesh      mesh     = adaptive->mesh;
+  const PetscInt  level    = mesh->num_levels - 1;
 
   PetscFunctionBeginUser;
-  *guess            = NULL;
-  adaptive->history = &envelope->step[envelope->worst];
-  PetscCall(AdaptiveMeasureMemory_Private(adaptive));
-  PetscCall(AdaptivePrint_Private(adaptive));
-  PetscCall(PetscFree(adaptive->marked));
-  PetscCall(EnvelopeMark(envelope, &mesh->levels[level], adaptive->scene->adapt.marking, &adaptive->marked,
-                         &adaptive->growth));
-  if (AdaptiveIsOver_Private(adaptive, why)) {
-    PetscCall(AdaptiveSetVerdict_Private(adaptive, *run, why));
-    PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  PetscCall(RunDestroy(run));
   PetscCall(LogReset(LogWallClock()));
   PetscCall(LogStageBegin(STAGE_SETUP));
   PetscCall(MeshAdapt(mesh, adaptive->marked));
@@ -567,6 +363,54 @@ PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess)
   for (PetscInt i = 0; i < envelope->num; i++)
     PetscCall(PromotionApply(mesh, level, level + 1, envelope->u[i], &(*guess)[i]));
   PetscCall(LogStageEnd(STAGE_SETUP));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveReturnSteps(Adaptive adaptive, Run *run, PetscBool *again)
+{
+  PetscInt meshes;
+
+  PetscFunctionBeginUser;
+  *again = PETSC_FALSE;
+  if (adaptive->failure[0]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(EnvelopeReturn(&adaptive->envelope, &meshes));
+  *again = (PetscBool)(meshes > 0);
+  if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
+  AdaptiveSetFailure(adaptive, meshes + 1, *run);
+  PetscCall(RunDestroy(run));
+  PetscCall(MeshReturn(adaptive->mesh, adaptive->levels));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess, PetscBool *again)
+{
+  Envelope *envelope = &adaptive->envelope;
+  char      why[ADAPTIVE_TEXT];
+  PetscBool failed;
+
+  PetscFunctionBeginUser;
+  *guess            = NULL;
+  *again            = PETSC_FALSE;
+  adaptive->levels  = adaptive->mesh->num_levels;
+  adaptive->history = &envelope->step[envelope->worst];
+  if (!adaptive->failure[0]) {
+    PetscCall(AdaptiveMeasureMemory_Private(adaptive));
+    PetscCall(AdaptivePrint_Private(adaptive));
+    PetscCall(PetscFree(adaptive->marked));
+    PetscCall(EnvelopeMark(envelope, MeshFinest(adaptive->mesh), adaptive->scene->adapt.marking, &adaptive->marked,
+                           &adaptive->growth));
+  }
+  if (AdaptiveIsOver(adaptive, why)) {
+    PetscCall(AdaptiveSetVerdict(adaptive, *run, why));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(RunDestroy(run));
+  UserErrorMute();
+  PetscCall(AdaptiveForgive(AdaptiveRefineAll_Private(adaptive, guess), &failed));
+  *again = PETSC_TRUE;
+  if (!failed) PetscFunctionReturn(PETSC_SUCCESS);
+  *guess = NULL;
+  PetscCall(AdaptiveReturnSteps(adaptive, run, again));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -578,7 +422,7 @@ PetscErrorCode AdaptiveRun(Scene scene, Mesh mesh, Vec guess, Run *run)
   PetscCall(RunDestroy(run));
   PetscCall(InterruptBegin());
   PetscCall(AdaptiveCreate(scene, mesh, &adaptive));
-  AdaptiveSetInterruptSentence_Private(adaptive, PETSC_FALSE);
+  AdaptiveSetInterruptSentence(adaptive, PETSC_FALSE);
   PetscCall(AdaptiveSolve(adaptive, guess, run));
   InterruptSetSentence("");
   PetscCall(InterruptEnd());

@@ -36,9 +36,15 @@ PetscErrorCode AdaptiveSolve(Adaptive adaptive, Vec guess, Run *run);
 PetscErrorCode AdaptiveAddStep(Adaptive adaptive, PetscInt i, Run run);
 /* After the last step: prints the line of the mesh, and refines the mesh unless it is the last one. If errors
    are larger than asked for on the last mesh, the report of the run has the reason. Collective.
-   [in,out] run - of the last step, destroyed if there is a new mesh;
-   [out] guess - displacements of all steps on the new mesh, owned by the caller [steps]; NULL without one */
-PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess);
+   [in,out] run - of the last step, destroyed if all steps are to be solved again;
+   [out] guess - displacements of all steps on the new mesh, owned by the caller [steps]; NULL without one;
+   [out] again - whether all steps are to be solved again: on a new mesh, or without one if it failed */
+PetscErrorCode AdaptiveRefineSteps(Adaptive adaptive, Run *run, Vec **guess, PetscBool *again);
+/* After a step that was not solved: goes back to the mesh before, if there is one. Then all steps are to be
+   solved again, and AdaptiveRefineSteps() ends with the failure as the reason. Collective.
+   [in,out] run - of that step, or NULL after a user error; destroyed if there is a mesh before;
+   [out] again - whether there is one */
+PetscErrorCode AdaptiveReturnSteps(Adaptive adaptive, Run *run, PetscBool *again);
 /* Whether the error of a step is as small as asked for. Not collective. */
 PetscBool AdaptiveStepIsMet(Adaptive adaptive, PetscInt i);
 

@@ -100,6 +100,16 @@ PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal se
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode EnvelopeReturn(Envelope *envelope, PetscInt *meshes)
+{
+  PetscFunctionBeginUser;
+  *meshes = envelope->step[0].num;
+  for (PetscInt i = 1; i < envelope->num; i++) *meshes = PetscMin(*meshes, envelope->step[i].num);
+  for (PetscInt i = 0; i < envelope->num && *meshes; i++)
+    PetscCall(MeshHistoryTruncate(&envelope->step[i], *meshes - 1));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked,
                             PetscReal *growth)
 {

@@ -19,6 +19,9 @@ PetscErrorCode EnvelopeDestroy(Envelope *envelope);
 /* Adds a solved step on the latest mesh, and gives its run the blocks "estimate" and "bars". Collective.
    [in] i - index of the step; each mesh begins with step 0; [in] seconds - of the step so far */
 PetscErrorCode EnvelopeAdd(Envelope *envelope, PetscInt i, Run run, PetscReal seconds);
+/* Forgets the latest mesh, on which not all steps were solved, and the one before, which is to be solved on
+   again. Not collective. [out] meshes - before the latest one; if 0, nothing is forgotten */
+PetscErrorCode EnvelopeReturn(Envelope *envelope, PetscInt *meshes);
 /* Relative error of a step in the energy norm on the latest mesh. Not collective. */
 PetscReal EnvelopeGetError(const Envelope *envelope, PetscInt i);
 /* Seconds of all steps on the latest mesh. Not collective. */

@@ -103,16 +103,24 @@ PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MeshHistoryDestroy(MeshHistory *history)
+PetscErrorCode MeshHistoryTruncate(MeshHistory *history, PetscInt num)
 {
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < history->num; k++) {
+  for (PetscInt k = num; k < history->num; k++) {
     cJSON_Delete(history->mesh[k].row);
     PetscCall(PetscFree(history->mesh[k].peak));
     PetscCall(PetscFree(history->mesh[k].goals));
   }
+  history->num = num;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MeshHistoryDestroy(MeshHistory *history)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MeshHistoryTruncate(history, 0));
   PetscCall(PetscFree(history->mesh));
-  history->num = history->max = 0;
+  history->max = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

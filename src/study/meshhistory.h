@@ -28,6 +28,8 @@ typedef struct {
 /* Adds the results of a solved run. Collective. [in] seconds - of its mesh so far */
 PetscErrorCode MeshHistoryAdd(MeshHistory *history, Run run, PetscReal seconds);
 PetscErrorCode MeshHistoryDestroy(MeshHistory *history);
+/* Forgets the latest meshes. Not collective. [in] num - that remain */
+PetscErrorCode MeshHistoryTruncate(MeshHistory *history, PetscInt num);
 /* The calibrated estimate of the error in the energy norm, over the norm of the solution; 0 where there is
    none. Not collective. */
 PetscReal SolvedMeshGetError(const SolvedMesh *mesh);

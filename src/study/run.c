@@ -360,6 +360,12 @@ PetscErrorCode RunDestroy(Run *run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+const char *RunGetFailure(Run run)
+{
+  if (!run->report.converged) return run->report.reason;
+  return run->certificate.holds ? "the two solvers of -cross_check disagree" : run->certificate.failure;
+}
+
 SummaryInput RunSummary(Run run)
 {
   return (SummaryInput){.scene       = run->scene,

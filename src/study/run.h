@@ -63,6 +63,8 @@ PetscErrorCode RunExtend(Vec guess, Run *run);
    [in] guess - initial guess of the displacement; NULL: extrapolated from the last solutions;
    [in,out] run */
 PetscErrorCode RunAdvance(Vec guess, Run *run);
+/* Why a run is not solved, as a sentence. Not collective. Borrowed from the run */
+const char *RunGetFailure(Run run);
 /* Deletes the blocks "estimate" and "bars". Not collective. */
 void RunForgetBlocks(Run run);
 /* The input of the summary, borrowed from the run. Not collective. */

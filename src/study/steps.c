@@ -7,7 +7,7 @@
 #include "base/warning.h"
 #include "output/output.h"
 #include "output/restartfile.h"
-#include "study/adaptive.h"
+#include "study/adaptiveimpl.h"
 #include "study/halvedsteps.h"
 #include "study/steps.h"
 #include "study/stepscolumns.h"
@@ -407,23 +407,49 @@ static PetscErrorCode StepsHalve_Private(Steps *steps, Mesh mesh, Vec first, Run
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves all steps on each adaptive mesh. Files have the steps of the latest mesh.
+/* Solves all steps on a mesh. A user error ends that, too, if it is not the first mesh: there are results.
+   [in] first - guess for the first step, or NULL; [in] coarse - of StepsCorrectGuess_Private(), or NULL on
+   the first mesh;
+   [in,out] text - as of StepsWrite_Private(); [out] solved - whether all steps are */
+static PetscErrorCode StepsTryAll_Private(Steps *steps, Mesh mesh, Vec first, const Vec coarse[], Run *run, char **text,
+                                          PetscBool *solved)
+{
+  PetscBool failed;
+
+  PetscFunctionBeginUser;
+  if (!coarse) {
+    PetscCall(StepsSolveAll_Private(steps, mesh, first, NULL, run, text));
+    *solved = (*run)->solved;
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  UserErrorMute();
+  PetscCall(AdaptiveForgive(StepsSolveAll_Private(steps, mesh, NULL, coarse, run, text), &failed));
+  if (failed) PetscCall(RunDestroy(run));
+  *solved = (PetscBool)(!failed && (*run)->solved);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves all steps on each adaptive mesh. Files have the steps of the latest mesh, or of the one before if
+   that failed.
    [in] first - guess for the first, or NULL;
    [in,out] text - as of StepsWrite_Private() */
 static PetscErrorCode StepsRepeat_Private(Steps *steps, Mesh mesh, Vec first, Run *run, char **text)
 {
   Vec      *guess = NULL;
-  PetscBool all; // steps are solved
+  PetscBool all = PETSC_FALSE, again = PETSC_TRUE; // steps are solved; they are to be solved once more
 
   PetscFunctionBeginUser;
   WarningHold();
   while (PETSC_TRUE) {
-    PetscCall(StepsSolveAll_Private(steps, mesh, first, guess, run, text));
+    PetscCall(StepsTryAll_Private(steps, mesh, first, guess, run, text, &all));
+    first = NULL; // of the first mesh
     for (PetscInt i = 0; guess && i < steps->scene->steps.num; i++) PetscCall(VecDestroy(&guess[i]));
     PetscCall(PetscFree(guess));
-    all = (*run)->solved;
-    if (all) PetscCall(AdaptiveRefineSteps(steps->adaptive, run, &guess));
-    if (!guess) break;
+    if (all)
+      PetscCall(AdaptiveRefineSteps(steps->adaptive, run, &guess, &again));
+    else
+      PetscCall(AdaptiveReturnSteps(steps->adaptive, run, &again));
+    if (!again) break;
     PetscCall(StepsBeginAgain_Private(steps));
   }
   steps->coarse = (PetscBool)(all && !(*run)->solved);

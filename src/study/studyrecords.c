@@ -280,13 +280,7 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
   record->iterations        = report->iterations;
   record->linear_iterations = report->linear_iterations;
   record->active            = report->active;
-  if (!run->solved) {
-    const char *reason = !report->converged        ? report->reason
-                         : !run->certificate.holds ? run->certificate.failure
-                                                   : "the two solvers of -cross_check disagree";
-
-    PetscCall(PetscStrncpy(record->reason, reason, sizeof(record->reason)));
-  }
+  if (!run->solved) PetscCall(PetscStrncpy(record->reason, RunGetFailure(run), sizeof(record->reason)));
   if (!run->refused) {
     Estimate estimate;
 

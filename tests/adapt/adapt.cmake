@@ -117,6 +117,8 @@ mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates
   -lower_dm_plex_box_lower 1000,-1 -lower_dm_plex_box_upper 1001,0 -probe_corner_at 1001,0 -probe_middle_at 1000.5,0.3)
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+# A later mesh that fails leaves the one before.
+mortise_scene_test(failed_mesh SCENE two_plates CHECK failed_mesh.py OWN_RUNS RANKS 1 LONG_RANKS 3 ARGS ${plates})
 # Iterations of one system with levels that are meshes of a file.
 set(cycles OWN_RUNS CHECK cycles.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 1e-7 -pc_type truncatedmg -measure_linear)
 mortise_scene_test(cycles_gears SCENE gears ${cycles} -adapt_max_meshes 5)
