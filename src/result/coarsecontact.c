@@ -13,6 +13,7 @@
 #include "result/coarsecontact.h"
 #include "result/contactpatches.h"
 #include "result/pairsum.h"
+#include "result/sidecorners.h"
 #include "mesh/sidemeasure.h"
 
 /* Patches of at most so many nodes across are coarse. */
@@ -29,7 +30,7 @@ static const PetscReal BEYOND_PART = 0.1;
 /* Largest exponent e of a pressure r^-e at an edge that does not matter. Ten halvings of the cells raise the
    pressure by less than a tenth, 2^(10 e) < 1.1. */
 static const PetscReal EXPONENT_SHOWS = 0.01375;
-/* The vector of CoarseContactFindEnds_Private() that counts as zero, relative to the length of edges. */
+/* The vector of SideCornersGetEnds() that counts as zero, relative to the length of edges. */
 static const PetscReal CLOSED = 1e-6;
 /* Largest roundoff of a force, relative to the stiffness times the displacements: the force of bodies without
    contact. */
@@ -62,86 +63,8 @@ static PetscErrorCode CoarseContactMark_Private(Fields fields, PetscInt p, const
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A vector at each vertex of a side that is 0 where facets surround the vertex. At the boundary of the side
-   it leads in space from the first to the last neighbour on the boundary; in a plane it is 1 or -1.
-   Collective. [out] ways - ghosted, dim per node, owned by the caller */
-static PetscErrorCode CoarseContactFindEnds_Private(Level *level, const Facets *facets, Vec *ways)
-{
-  const PetscInt dim = level->dim;
-  PetscScalar   *way;
-  Vec            local;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, dim, ways));
-  PetscCall(VecGhostGetLocalForm(*ways, &local));
-  PetscCall(VecGetArray(local, &way));
-  for (PetscInt f = 0; f < facets->num; f++) {
-    const PetscInt *nodes = &facets->nodes[f * F], num = ElementNumNodes(ElementLinear(facets->type[f]));
-
-    for (PetscInt i = 0; i < num; i++) {
-      const PetscInt next = nodes[(i + 1) % num], before = nodes[(i + num - 1) % num];
-
-      if (dim == 2) way[nodes[i] * dim] += i ? 1 : -1;
-      for (PetscInt k = 0; k < dim && dim == 3; k++)
-        way[nodes[i] * dim + k] += level->coords[next * dim + k] - level->coords[before * dim + k];
-    }
-  }
-  PetscCall(VecRestoreArray(local, &way));
-  PetscCall(VecGhostRestoreLocalForm(*ways, &local));
-  PetscCall(LevelShareVec(*ways, ADD_VALUES));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Angle of a cell at a vertex, in space half its solid angle. The sum over the cells at a vertex of a
-   straight edge is the angle of the edge. */
-static PetscReal CoarseContactCornerAngle_Private(const Level *level, ElementType linear, const PetscInt nodes[],
-                                                  PetscInt corner)
-{
-  const PetscInt dim     = level->dim;
-  PetscReal      e[3][3] = {{0}}, length[3], det, dot;
-  PetscInt       num     = 0;
-
-  for (PetscInt i = 0; i < ElementNumEdges(linear) && num < dim; i++) {
-    const PetscInt *ends = ElementEdgeNodes(linear, i);
-
-    if (ends[0] != corner && ends[1] != corner) continue;
-    for (PetscInt k = 0; k < dim; k++)
-      e[num][k] = level->coords[nodes[ends[0] + ends[1] - corner] * dim + k] - level->coords[nodes[corner] * dim + k];
-    length[num] = VectorNorm(dim, e[num]);
-    num++;
-  }
-  dot = VectorDot(dim, e[0], e[1]);
-  if (dim == 2) return PetscAbsReal(atan2(VectorCrossPlane(e[0], e[1]), dot));
-  det = VectorTriple(e[0], e[1], e[2]);
-  return atan2(PetscAbsReal(det), length[0] * length[1] * length[2] + dot * length[2] +
-                                      VectorDot(dim, e[0], e[2]) * length[1] + VectorDot(dim, e[1], e[2]) * length[0]);
-}
-
-/* Angle of the body at its vertices. Collective. [out] angles - ghosted, one per node, owned by the caller */
-static PetscErrorCode CoarseContactFindAngles_Private(Level *level, PetscInt body, Vec *angles)
-{
-  PetscScalar *angle;
-  Vec          local;
-
-  PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(level, 1, angles));
-  PetscCall(VecGhostGetLocalForm(*angles, &local));
-  PetscCall(VecGetArray(local, &angle));
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    const ElementType linear = ElementLinear((ElementType)level->cell_type[c]);
-    const PetscInt   *nodes  = &level->cell_nodes[level->cell_start[c]];
-
-    for (PetscInt i = 0; i < ElementNumNodes(linear) && level->cell_body[c] == body; i++)
-      angle[nodes[i]] += CoarseContactCornerAngle_Private(level, linear, nodes, i);
-  }
-  PetscCall(VecRestoreArray(local, &angle));
-  PetscCall(VecGhostRestoreLocalForm(*angles, &local));
-  PetscCall(LevelShareVec(*angles, ADD_VALUES));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Adds how a vertex of the patch ends it. [in] way - of CoarseContactFindEnds_Private(); [in] angle - of
-   CoarseContactFindAngles_Private(); [in,out] ends - [NUM_ENDS] */
+/* Adds how a vertex of the patch ends it. [in] way - of SideCornersGetEnds(); [in] angle - of
+   SideCornersGetAngles(); [in,out] ends - [NUM_ENDS] */
 static void CoarseContactAddVertex_Private(const Support *support, PetscInt node, const PetscScalar way[],
                                            PetscReal angle, const ContactPatch *patch, PetscReal ends[])
 {
@@ -182,8 +105,8 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < NUM_ENDS; i++) ends[i] = 0;
   PetscCall(LevelGetFacets(level, vi->scene, pair->spec->nonmortar.body, pair->spec->nonmortar.side, &facets));
-  PetscCall(CoarseContactFindEnds_Private(level, &facets, &ways));
-  PetscCall(CoarseContactFindAngles_Private(level, pair->spec->nonmortar.body, &angles));
+  PetscCall(SideCornersGetEnds(level, &facets, &ways));
+  PetscCall(SideCornersGetAngles(level, pair->spec->nonmortar.body, &angles));
   PetscCall(VecGhostGetLocalForm(marks, &local[0]));
   PetscCall(VecGhostGetLocalForm(ways, &local[1]));
   PetscCall(VecGhostGetLocalForm(angles, &local[2]));

@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
+#include "result/edgeexponent.h"
 #include "result/pairsum.h"
 
 enum {
@@ -22,6 +23,9 @@ static const PetscReal PEAK_BEYOND = 0.01;
 static const PetscReal STAYS = 0.5;
 /* Least change of slope that is told from rounding of differences. */
 static const PetscReal LEAST_CHANGE = 1e-6;
+/* Part of the largest pressure that it falls by on its facets, at least, where it is unbounded: a uniform one
+   has no singular part. */
+static const PetscReal FALLS = 0.03;
 /* Least cosine of a facet's normal and that of a node on a smooth side: 5 degrees. */
 static const PetscReal ALIGNED = 0.996;
 
@@ -106,6 +110,7 @@ static PetscErrorCode PeakHasKink_Private(const SceneObstacle *obstacle, Element
 /* What is found on the facets at the largest pressure of a rank. */
 typedef struct {
   PetscReal small;             /* size of the smallest one, with the opposite sign */
+  PetscReal low;               /* the smallest pressure at a vertex of theirs, with the opposite sign */
   PetscReal end, kink, uneven; /* 1 or 0: the side ends, the obstacle has an edge, the side may have one */
 } PeakFindings;
 
@@ -124,6 +129,7 @@ static PetscErrorCode PeakAddFacet_Private(Fields fields, PetscInt p, PetscInt f
   PetscFunctionBeginUser;
   ContactFacetCoordinates(level, facets, f, X);
   found->small = PetscMax(found->small, -ElementLongestEdge(type, dim, X));
+  for (PetscInt i = 0; i < dim; i++) found->low = PetscMax(found->low, -PetscRealPart(nodal[NODE_DATA * nodes[i]]));
   if (dim == 3) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt i = 0; i < dim; i++) {
     PetscReal phi[ELEMENT_MAX_NODES], own[3], x[3];
@@ -144,7 +150,7 @@ PetscErrorCode PeakGet(Fields fields, PetscInt p, Peak *peak)
   const Level       *level  = fields->vi->level;
   const PairPoints   points = fields->vi->pairs[p]->points;
   const Facets      *facets = &points->facets;
-  PeakFindings       found  = {.small = -PETSC_MAX_REAL};
+  PeakFindings       found  = {.small = -PETSC_MAX_REAL, .low = -PETSC_MAX_REAL};
   Vec                nodal, local[2];
   const PetscScalar *at, *normal;
   PairSum            sum;
@@ -177,5 +183,7 @@ PetscErrorCode PeakGet(Fields fields, PetscInt p, Peak *peak)
     peak->shape = PEAK_END;
   else if (level->dim == 2 && fields->vi->scene->pairs[p].obstacle.kind != OBSTACLE_NONE && found.uneven == 0)
     peak->shape = PEAK_SMOOTH;
+  if (sum.max_pressure > 0 && -found.low < (1 - FALLS) * sum.max_pressure)
+    PetscCall(EdgeExponentGet(fields, p, &sum, peak->size, &peak->exponent));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

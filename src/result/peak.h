@@ -15,9 +15,10 @@ typedef enum {
 typedef struct {
   PetscReal size; /* of the smallest facet at the largest pressure; 0 without contact */
   PeakShape shape;
+  PetscReal exponent; /* e > 0 of the pressure r^-e at an edge there, where that is certain (edgeexponent.h); else 0 */
 } Peak;
 
-/* Collective. In space the shape is not known. */
+/* Collective. In space shape and exponent are not known. */
 PetscErrorCode PeakGet(Fields fields, PetscInt p, Peak *peak);
 
 #endif

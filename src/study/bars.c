@@ -28,6 +28,9 @@ static const PetscReal SEEN_GROWING = 0.03; /* part of a pressure that it grows 
    meshes. Faster growth is that of meshes that have yet to find the contact. Facets are at most CORNER_FACET
    of the extent of contact, and at most CORNER_REFINED of those of the mesh before. */
 static const PetscReal CORNER_POWER = 0.2, CORNER_MOST = 0.7, CORNER_FACET = 0.1, CORNER_REFINED = 0.6;
+/* Least exponent of a pressure at an edge that is known to be unbounded there: at 0.01375 ten halvings raise
+   it by a tenth. Its facets are at most this part of the extent of contact. */
+static const PetscReal EDGE_EXPONENT = 0.01375, EDGE_FACET = 0.4;
 /* Least ratio of its growth over two halvings of facets to that over the two before. It is 0.25 if the error
    is of order h, 1 if it is that of a logarithm. */
 static const PetscReal CORNER_GROWS = 0.6;
@@ -142,13 +145,19 @@ static PetscInt BarsGetHalfExtent_Private(const cJSON *row, const BarPath *path,
 }
 
 /* Whether facets at a largest pressure are small against the extent of contact on a mesh.
-   [in] path - of the pressure; [in] size - of the facets */
-static PetscBool BarsPeakIsFine_Private(const BarHistory *history, const BarPath *path, PetscInt mesh, PetscReal size)
+   [in] path - of the pressure; [in] size - of the facets; [in] part - of the extent that they are at most */
+static PetscBool BarsPeakIsWithin_Private(const BarHistory *history, const BarPath *path, PetscInt mesh, PetscReal size,
+                                          PetscReal part)
 {
   PetscReal      half[MAX_ITEMS];
   const PetscInt num = BarsGetHalfExtent_Private(history->mesh[mesh].row, path, half);
 
-  return (PetscBool)(size > 0 && size <= CORNER_FACET * 2 * VectorNorm(num, half));
+  return (PetscBool)(size > 0 && size <= part * 2 * VectorNorm(num, half));
+}
+
+static PetscBool BarsPeakIsFine_Private(const BarHistory *history, const BarPath *path, PetscInt mesh, PetscReal size)
+{
+  return BarsPeakIsWithin_Private(history, path, mesh, size, CORNER_FACET);
 }
 
 /* The increment of a largest pressure for each halving of its facets: a mesh may halve them twice. Facets
@@ -261,6 +270,9 @@ static PetscBool BarsIsUnbounded_Private(const BarHistory *history, const BarPat
   PetscInt    doubts = 0;
 
   if (last->shape == PEAK_SMOOTH) return PETSC_FALSE;
+  if (last->exponent >= EDGE_EXPONENT &&
+      BarsPeakIsWithin_Private(history, path, history->num - 1, last->size, EDGE_FACET))
+    return PETSC_TRUE;
   if (last->shape == PEAK_KINK && BarsEdgeGrows_Private(history, p, Q)) return PETSC_TRUE;
   if (BarsGrows_Private(history, path, p, Q)) return PETSC_TRUE;
   for (part.num = history->num; part.num >= PEAK_MESHES && doubts < PEAK_DOUBTS; part.num--) {
