@@ -15,6 +15,9 @@ static const PetscReal REGULARIZATION = 1e-6;
 static const PetscReal TARGET_DISTANCE = 1e3;
 /* A motion below this part of the way to the target is none. */
 static const PetscReal STANDS_STILL = 1e-9;
+/* Motions until bodies stand still: the limits of friction are those of closed gaps, so that one may end
+   before they are closed. */
+enum { SETTLING_STEPS = 8 };
 /* Remaining gaps below this part of the largest gap, or of the expected displacement, count as closed. */
 static const PetscReal GAP_CLOSED = 1e-9;
 
@@ -161,27 +164,39 @@ static PetscErrorCode RegularizationSetDiagonal_Private(VI vi, Vec diagonal)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether friction holds all bodies where they touch. If they slid along each other to other contacts, their
-   positions would lie in the last digits of that way. Collective. [in] bound - gap of each row [num_rows];
-   [in] target - [m] */
-static PetscErrorCode RegularizationHolds_Private(VI vi, Solvability s, const PetscReal bound[],
-                                                  const PetscReal target[], PetscBool *holds)
+/* Moves bodies rigidly until they touch and friction holds all of them there, if it does. If they slid along
+   each other to other contacts, their positions would lie in the last digits of that way. Collective.
+   [in] bound - gap of each row [num_rows]; [in] target - [m];
+   [out] q - motion, 0 if friction does not hold [m] */
+static PetscErrorCode RegularizationSettle_Private(VI vi, Solvability s, const PetscReal bound[],
+                                                   const PetscReal target[], PetscReal q[], PetscBool *holds)
 {
   const Cone cone = ContactRowsCone(vi, s, &s->friction);
-  PetscReal *wide, *q, way = 0, all = 0;
+  PetscReal *left, *wide, *step;
 
   PetscFunctionBeginUser;
   *holds = PETSC_FALSE;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc2(s->friction.num, &wide, s->m, &q));
-  for (PetscInt i = 0; i < s->friction.num; i++) wide[i] = s->friction.equality[i] ? 0 : bound[s->friction_row[i]];
-  PetscCall(ConeProject(&cone, wide, target, q));
-  for (PetscInt k = 0; k < s->m; k++) {
-    way += q[k] * q[k];
-    all += target[k] * target[k];
+  PetscCall(PetscMalloc3(vi->num_rows, &left, s->friction.num, &wide, s->m, &step));
+  PetscCall(PetscArraycpy(left, bound, vi->num_rows));
+  for (PetscInt n = 0; n < SETTLING_STEPS && !*holds; n++) {
+    PetscReal way = 0, all = 0;
+
+    for (PetscInt i = 0; i < s->friction.num; i++) wide[i] = s->friction.equality[i] ? 0 : left[s->friction_row[i]];
+    PetscCall(ConeProject(&cone, wide, target, step));
+    for (PetscInt k = 0; k < s->m; k++) {
+      way += step[k] * step[k];
+      all += target[k] * target[k];
+    }
+    *holds = (PetscBool)(way <= PetscSqr(STANDS_STILL) * all);
+    for (PetscInt k = 0; k < s->m && !*holds; k++) q[k] += step[k];
+    for (PetscInt r = 0; r < vi->num_rows && !*holds; r++) {
+      for (PetscInt k = 0; k < s->m; k++) left[r] -= s->nodal.rows[r * s->m + k] * step[k];
+      left[r] = PetscMax(left[r], 0);
+    }
   }
-  *holds = (PetscBool)(way <= PetscSqr(STANDS_STILL) * all);
-  PetscCall(PetscFree2(wide, q));
+  if (!*holds) PetscCall(PetscArrayzero(q, s->m));
+  PetscCall(PetscFree3(left, wide, step));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -211,7 +226,7 @@ static PetscErrorCode RegularizationSetApproach_Private(VI vi, Solvability s, Pe
 
     PetscCall(PetscMalloc1(s->m, &target));
     for (PetscInt k = 0; k < s->m; k++) target[k] = TARGET_DISTANCE * *largest * s->work[k] / size;
-    PetscCall(RegularizationHolds_Private(vi, s, bound, target, &holds));
+    PetscCall(RegularizationSettle_Private(vi, s, bound, target, q, &holds));
     if (!holds) PetscCall(ConeProject(&cone, bound, target, q));
     PetscCall(PetscFree(target));
     for (PetscInt k = 0; k < s->m; k++) PetscCall(VecAXPY(s->approach, q[k] / vi->length, s->modes[k]));

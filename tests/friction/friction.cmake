@@ -62,6 +62,7 @@ mortise_scene_test(restart_pairs LONG SCENE clamp CHECK restart.py RANKS 1 LONG_
 mortise_scene_test(restart_solid SCENE incline_solid CHECK restart.py RANKS 3 ARGS -load_steps 4)
 mortise_scene_test(restart_mistakes SCENE incline CHECK restart_mistakes.py ONLY_RANKS "the check itself takes several" ARGS -load_steps 1)
 mortise_scene_test(pull_off CHECK pull_off.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(logs CHECK logs.py RANKS 1 3)
 mortise_scene_test(keystone CHECK keystone.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(mindlin CHECK mindlin.py RANKS 1 LONG_RANKS 2)
 mortise_scene_test(mindlin_fine LONG CHECK mindlin_fine.py)
