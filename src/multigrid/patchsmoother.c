@@ -5,38 +5,46 @@
    this fails: no displacement of one node keeps the volume of all cells around it. Displacements of a patch
    can keep it, and every displacement that keeps the volume is a sum of such ones [1].
 
-   Patches overlap, and (R_p A R_p')^-1 is kept as a matrix, half of it. With other active unknowns only the
-   patches with a changed entry are inverted again.
+   Patches overlap, and (R_p A R_p')^-1 is kept as a matrix (patchinverse.c). Unknowns are scaled by the roots
+   of the diagonal of A: single precision then suits soft bodies beside stiff ones. With other active unknowns
+   only the patches with a changed entry are inverted again.
 
    References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables,
    1999. */
 #include "base/compat.h"
 #include "multigrid/eigenvalue.h"
 #include "multigrid/graphpatches.h"
+#include "multigrid/patchinverse.h"
 #include "multigrid/patchsmoother.h"
-#include <petscblaslapack.h>
 
 /* Data of all shells of one level. */
 typedef struct {
   PetscInt      references;
-  PetscInt      dim;
+  PetscInt      dim, largest;     /* unknowns of a patch at most */
   PetscReal     stiffness, scale; /* of K; of S^-1 */
   PetscReal     part[2];          /* factors of patches and of the inverse diagonal */
   GhostExchange nodes, unknowns;
   RankRows      K, Z;
   GraphPatches  patches;
+  PetscReal    *root; /* 1 / sqrt of the diagonal of A [own unknowns, then ghosts] */
   PetscReal    *W;    /* on the diagonal of A [own unknowns, then ghosts] */
   PetscReal    *size; /* diagonal of A where no patch is, else 0 [own unknowns] */
 } Patches;
 
 typedef struct {
-  Patches    *shared;
-  Mat         from;  /* whose blocks are used but for those of this one; NULL for none */
-  PetscReal **block; /* inverses, the upper triangles by rows; NULL for that of `from` [patches] */
-  PetscReal  *diag;  /* inverse diagonal, 0 in patches [own unknowns] */
-  PetscInt    num, *fixed;
-  PetscReal  *r, *z; /* [own unknowns, then ghosts] */
+  Patches      *shared;
+  PatchInverse *block; /* of the scaled matrices [patches] */
+  PetscReal    *diag;  /* inverse diagonal, 0 in patches [own unknowns] */
+  PetscInt      num, *fixed;
+  PetscReal    *r, *z; /* scaled [own unknowns, then ghosts] */
 } PatchSmoother;
+
+/* Room for the blocks of patches. */
+typedef struct {
+  PetscInt     *at, *unknown; /* places in the patch, -1 elsewhere; [largest] */
+  PetscReal    *matrix;       /* [largest][largest] */
+  PatchInverses inverses;
+} PatchesWork;
 
 static PetscInt PatchesRoom_Private(const Patches *shared)
 {
@@ -52,6 +60,7 @@ static PetscErrorCode PatchesDestroy_Private(Patches *shared)
   PetscCall(RankRowsDestroy(&shared->K));
   PetscCall(RankRowsDestroy(&shared->Z));
   PetscCall(GraphPatchesDestroy(&shared->patches));
+  PetscCall(PetscFree(shared->root));
   PetscCall(PetscFree(shared->W));
   PetscCall(PetscFree(shared->size));
   PetscCall(PetscFree(shared));
@@ -64,12 +73,11 @@ static PetscErrorCode Destroy_PatchSmoother(Mat S)
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &patch));
-  for (PetscInt p = 0; p < patch->shared->patches.num; p++) PetscCall(PetscFree(patch->block[p]));
+  for (PetscInt p = 0; p < patch->shared->patches.num; p++) PetscCall(PatchInverseDestroy(&patch->block[p]));
   PetscCall(PetscFree(patch->block));
   PetscCall(PetscFree(patch->diag));
   PetscCall(PetscFree(patch->fixed));
   PetscCall(PetscFree2(patch->r, patch->z));
-  PetscCall(MatDestroy(&patch->from));
   PetscCall(PatchesDestroy_Private(patch->shared));
   PetscCall(PetscFree(patch));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -94,28 +102,6 @@ static PetscInt PatchesLargest_Private(const Patches *shared)
   return max;
 }
 
-/* z += block r on a patch. [in] unknown - [num]; work - [2 num] */
-static void PatchSmootherAdd_Private(PetscInt num, const PetscInt unknown[], const PetscReal block[], PetscReal factor,
-                                     const PetscReal r[], PetscReal z[], PetscReal work[])
-{
-  PetscReal *x = work, *y = &work[num];
-
-  for (PetscInt i = 0; i < num; i++) x[i] = factor * r[unknown[i]];
-  for (PetscInt i = 0; i < num; i++) y[i] = 0;
-  for (PetscInt i = 0; i < num; i++) { // the upper half, each entry for two rows
-    const PetscReal xi  = x[i];
-    PetscReal       sum = block[0] * xi;
-
-    for (PetscInt j = i + 1; j < num; j++) {
-      sum += block[j - i] * x[j];
-      y[j] += block[j - i] * xi;
-    }
-    y[i] += sum;
-    block += num - i;
-  }
-  for (PetscInt i = 0; i < num; i++) z[unknown[i]] += y[i];
-}
-
 /* Adds the values of ghosts to their owners. [in,out] z - own unknowns, then ghosts */
 static PetscErrorCode PatchSmootherShare_Private(GhostExchange *unknowns, PetscReal z[])
 {
@@ -136,40 +122,31 @@ static PetscErrorCode PatchSmootherShare_Private(GhostExchange *unknowns, PetscR
 /* z = S^-1 r, for r that is 0 where fixed */
 static PetscErrorCode Mult_PatchSmoother(Mat S, Vec r, Vec z)
 {
-  PatchSmoother     *patch, *from;
+  PatchSmoother     *patch;
   Patches           *shared;
-  PetscInt          *unknown, largest;
-  PetscReal         *work;
+  float             *work;
   const PetscScalar *ra, *sum;
   PetscScalar       *za;
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &patch));
   shared = patch->shared;
-  from   = patch;
-  if (patch->from) PetscCall(MatShellGetContext(patch->from, &from));
-  largest = PatchesLargest_Private(shared);
-  PetscCall(PetscMalloc2(largest, &unknown, 2 * largest, &work));
+  PetscCall(PetscMalloc1(PatchInverseWork(shared->largest), &work));
   PetscCall(VecGetArrayRead(r, &ra));
-  for (PetscInt i = 0; i < shared->unknowns.n; i++) patch->r[i] = PetscRealPart(ra[i]);
+  for (PetscInt i = 0; i < shared->unknowns.n; i++) patch->r[i] = shared->root[i] * PetscRealPart(ra[i]);
   PetscCall(GhostExchangeUpdate(&shared->unknowns, patch->r));
   PetscCall(PetscArrayzero(patch->z, PatchesRoom_Private(shared)));
-  for (PetscInt p = 0; p < shared->patches.num; p++) {
-    const PetscReal *block = patch->block[p] ? patch->block[p] : from->block[p];
-
-    PatchSmootherAdd_Private(PatchesGet_Private(shared, p, unknown), unknown, block, shared->part[0], patch->r,
-                             patch->z, work);
-  }
+  PatchInverseAdd(&shared->patches, patch->block, shared->dim, patch->r, patch->z, work);
   PetscCall(PatchSmootherShare_Private(&shared->unknowns, patch->z));
   PetscCall(VecGetArrayRead(shared->unknowns.own, &sum));
   PetscCall(VecGetArrayWrite(z, &za));
   for (PetscInt i = 0; i < shared->unknowns.n; i++)
-    za[i] = shared->scale * (sum[i] + shared->part[1] * patch->diag[i] * ra[i]);
+    za[i] = shared->scale * (shared->part[0] * shared->root[i] * sum[i] + shared->part[1] * patch->diag[i] * ra[i]);
   for (PetscInt i = 0; i < patch->num; i++) za[patch->fixed[i]] = 0;
   PetscCall(VecRestoreArrayWrite(z, &za));
   PetscCall(VecRestoreArrayRead(shared->unknowns.own, &sum));
   PetscCall(VecRestoreArrayRead(r, &ra));
-  PetscCall(PetscFree2(unknown, work));
+  PetscCall(PetscFree(work));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -191,34 +168,16 @@ static PetscErrorCode PatchesAddEntries_Private(RankRows *rows, PetscReal factor
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The upper triangle of the inverse by rows; if roundoff makes the matrix indefinite, that of its diagonal.
-   [in,out] a - [num][num] */
-static PetscErrorCode PatchesInvert_Private(PetscInt num, PetscReal a[], const PetscReal diag[], PetscReal block[])
-{
-  PetscBLASInt n, info;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscBLASIntCast(num, &n));
-  PetscCallBLAS("LAPACKpotrf", LAPACKpotrf_("L", &n, a, &n, &info)); // by columns: the upper half of rows
-  if (!info) PetscCallBLAS("LAPACKpotri", LAPACKpotri_("L", &n, a, &n, &info));
-  for (PetscInt i = 0; i < num; i++)
-    for (PetscInt j = i; j < num; j++) *block++ = !info ? a[i * num + j] : i == j ? 1 / diag[i] : 0;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* The block of one patch; rows of fixed unknowns are 0.
-   [in] change - rows of the matrix added to A, or NULL; [in] gone - fixed unknowns; [in,out] at - -1
-   everywhere; work - room for 2 matrices and the diagonal */
+   [in] change - rows of the matrix added to A, or NULL; [in] gone - fixed unknowns */
 static PetscErrorCode PatchesSetBlock_Private(Patches *shared, RankRows *change, PetscInt p, const PetscReal gone[],
-                                              PetscInt at[], PetscReal work[], PetscReal **block)
+                                              PatchesWork *work, PatchInverse *block)
 {
-  PetscInt  *unknown, num;
-  PetscReal *a = work, *diag, *b;
+  const PetscInt num = PatchesGet_Private(shared, p, work->unknown), *unknown = work->unknown;
+  PetscInt      *at = work->at;
+  PetscReal     *a  = work->matrix;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(shared->dim * (shared->patches.start[p + 1] - shared->patches.start[p]), &unknown));
-  num  = PatchesGet_Private(shared, p, unknown);
-  diag = &work[num * num];
   PetscCall(PetscArrayzero(a, num * num));
   for (PetscInt i = 0; i < num; i++) at[unknown[i]] = gone[unknown[i]] != 0 ? -1 : i;
   PetscCall(PatchesAddEntries_Private(&shared->K, 1 / shared->stiffness, num, unknown, at, a));
@@ -227,17 +186,15 @@ static PetscErrorCode PatchesSetBlock_Private(Patches *shared, RankRows *change,
   for (PetscInt i = 0; i < num; i++) {
     const PetscBool out = (PetscBool)(at[unknown[i]] < 0);
 
-    for (PetscInt j = 0; j < num && out; j++) a[i * num + j] = a[j * num + i] = 0;
-    a[i * num + i] = out ? 1 : a[i * num + i] + shared->W[unknown[i]];
-    diag[i]        = a[i * num + i];
+    if (!out) a[i * num + i] += shared->W[unknown[i]];
+    for (PetscInt j = 0; j < num; j++) {
+      if (out) a[i * num + j] = a[j * num + i] = 0;
+      a[i * num + j] *= shared->root[unknown[i]] * shared->root[unknown[j]];
+    }
   }
-  if (!*block) PetscCall(PetscMalloc1(num * (num + 1) / 2, block));
-  PetscCall(PatchesInvert_Private(num, a, diag, *block));
-  b = *block;
-  for (PetscInt i = 0; i < num; b += num - i++)
-    if (gone[unknown[i]] != 0) b[0] = 0;
+  PetscCall(PatchInverseDestroy(block));
+  PetscCall(PatchInversesGet(work->inverses, num, a, block));
   for (PetscInt i = 0; i < num; i++) at[unknown[i]] = -1;
-  PetscCall(PetscFree(unknown));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -246,21 +203,22 @@ static PetscErrorCode PatchSmootherSetBlocks_Private(PatchSmoother *patch, RankR
                                                      const PetscReal changed[])
 {
   Patches       *shared  = patch->shared;
-  const PetscInt largest = PatchesLargest_Private(shared);
-  PetscInt      *at, *unknown;
-  PetscReal     *work;
+  const PetscInt largest = shared->largest, room = PatchesRoom_Private(shared);
+  PatchesWork    work;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc3(PatchesRoom_Private(shared), &at, largest * (largest + 1), &work, largest, &unknown));
-  for (PetscInt i = 0; i < PatchesRoom_Private(shared); i++) at[i] = -1;
+  PetscCall(PetscMalloc3(room, &work.at, largest * largest, &work.matrix, largest, &work.unknown));
+  PetscCall(PatchInversesCreate(largest, &work.inverses));
+  for (PetscInt i = 0; i < room; i++) work.at[i] = -1;
   for (PetscInt p = 0; p < shared->patches.num; p++) {
-    const PetscInt num = PatchesGet_Private(shared, p, unknown);
+    const PetscInt num = PatchesGet_Private(shared, p, work.unknown);
     PetscBool      due = (PetscBool)!changed;
 
-    for (PetscInt i = 0; i < num && !due; i++) due = (PetscBool)(changed[unknown[i]] != 0);
-    if (due) PetscCall(PatchesSetBlock_Private(shared, change, p, gone, at, work, &patch->block[p]));
+    for (PetscInt i = 0; i < num && !due; i++) due = (PetscBool)(changed[work.unknown[i]] != 0);
+    if (due) PetscCall(PatchesSetBlock_Private(shared, change, p, gone, &work, &patch->block[p]));
   }
-  PetscCall(PetscFree3(at, work, unknown));
+  PetscCall(PatchInversesDestroy(&work.inverses));
+  PetscCall(PetscFree3(work.at, work.matrix, work.unknown));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -282,7 +240,7 @@ static PetscErrorCode PatchSmootherBegin_Private(Patches *shared, MPI_Comm comm,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The diagonal of A where no patch is, and W. [in] marked - as op->tight, own nodes, then ghosts */
+/* The diagonal of A, where no patch is and as roots, and W. */
 static PetscErrorCode PatchesSetDiagonal_Private(const Operator *op, Patches *shared)
 {
   const PetscInt     n = shared->unknowns.n;
@@ -291,6 +249,7 @@ static PetscErrorCode PatchesSetDiagonal_Private(const Operator *op, Patches *sh
   Vec                diag;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(PatchesRoom_Private(shared), &shared->root));
   PetscCall(PetscCalloc1(PatchesRoom_Private(shared), &shared->W));
   PetscCall(PetscCalloc1(n, &shared->size));
   PetscCall(PetscCalloc1(PatchesRoom_Private(shared), &covered));
@@ -304,6 +263,8 @@ static PetscErrorCode PatchesSetDiagonal_Private(const Operator *op, Patches *sh
   PetscCall(MatGetDiagonal(op->A, diag));
   PetscCall(VecGetArrayRead(diag, &a));
   for (PetscInt i = 0; i < n; i++) shared->size[i] = covered[i] == 0 ? PetscRealPart(a[i]) : 0;
+  for (PetscInt i = 0; i < n; i++) shared->root[i] = 1 / PetscSqrtReal(PetscRealPart(a[i]));
+  PetscCall(GhostExchangeUpdate(&shared->unknowns, shared->root));
   PetscCall(VecRestoreArrayRead(diag, &a));
   PetscCall(VecDestroy(&diag));
   PetscCall(PetscFree(covered));
@@ -463,6 +424,49 @@ static PetscErrorCode PatchesFindMarked_Private(const Operator *op, Patches *sha
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether a node comes before another one by its first coordinate that differs. [in] x - [dim][nodes] */
+static PetscBool PatchesPrecedes_Private(const Patches *shared, PetscReal *const x[], PetscReal same, PetscInt a,
+                                         PetscInt b)
+{
+  for (PetscInt k = 0; k < shared->dim; k++)
+    if (PetscAbsReal(x[k][a] - x[k][b]) > same) return (PetscBool)(x[k][a] < x[k][b]);
+  return PETSC_FALSE;
+}
+
+/* Orders the nodes of each patch by their coordinates: patches that are translations of each other then have
+   the same matrix. */
+static PetscErrorCode PatchesSort_Private(const Operator *op, Patches *shared)
+{
+  static const PetscReal SAME_COORDINATE = 1e-6; /* relative to the width of a patch */
+  const PetscInt         all             = shared->nodes.n + shared->nodes.num;
+  PetscReal             *x[3];
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < shared->dim; k++) {
+    PetscCall(PetscMalloc1(all, &x[k]));
+    for (PetscInt i = 0; i < shared->nodes.n; i++) x[k][i] = op->coords[i * shared->dim + k];
+    PetscCall(GhostExchangeUpdate(&shared->nodes, x[k]));
+  }
+  for (PetscInt p = 0; p < shared->patches.num; p++) {
+    PetscInt *node = &shared->patches.node[shared->patches.start[p]];
+    PetscInt  num  = shared->patches.start[p + 1] - shared->patches.start[p];
+    PetscReal same = 0;
+
+    for (PetscInt i = 1; i < num; i++)
+      for (PetscInt k = 0; k < shared->dim; k++)
+        same = PetscMax(same, SAME_COORDINATE * PetscAbsReal(x[k][node[i]] - x[k][node[0]]));
+    for (PetscInt i = 1; i < num; i++)
+      for (PetscInt j = i; j && PatchesPrecedes_Private(shared, x, same, node[j], node[j - 1]); j--) {
+        const PetscInt first = node[j];
+
+        node[j]     = node[j - 1];
+        node[j - 1] = first;
+      }
+  }
+  for (PetscInt k = 0; k < shared->dim; k++) PetscCall(PetscFree(x[k]));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Patches, the nodes of both sides of contact among them. */
 static PetscErrorCode PatchesFind_Private(const Operator *op, Patches *shared)
 {
@@ -484,6 +488,7 @@ static PetscErrorCode PatchesFind_Private(const Operator *op, Patches *shared)
   PetscCall(RankRowsCreate(op->Z, op->dim, &shared->nodes, &shared->Z));
   PetscCall(RankRowsCreate(links, 1, &shared->nodes, &rows));
   PetscCall(PatchesFindMarked_Private(op, shared, links ? &rows : NULL));
+  PetscCall(PatchesSort_Private(op, shared));
   PetscCall(RankRowsDestroy(&rows));
   if (op->T) PetscCall(GhostExchangeDestroy(&far));
   PetscCall(MatDestroy(&links));
@@ -503,6 +508,7 @@ PetscErrorCode PatchSmootherCreate(const Operator *op, Mat *inverse)
   shared->stiffness = op->stiffness;
   shared->scale = shared->part[0] = shared->part[1] = 1;
   PetscCall(PatchesFind_Private(op, shared));
+  shared->largest = PatchesLargest_Private(shared);
   PetscCall(PatchesSetDiagonal_Private(op, shared));
   PetscCall(PatchSmootherBegin_Private(shared, PetscObjectComm((PetscObject)op->K), &patch, inverse));
   PetscCall(PetscMalloc1(PatchesRoom_Private(shared), &gone));
@@ -568,8 +574,7 @@ PetscErrorCode PatchSmootherSetFixed(Mat from, Mat change, PetscInt num, const P
   PetscCall(MatShellGetContext(from, &base));
   shared = base->shared;
   PetscCall(PatchSmootherBegin_Private(shared, PetscObjectComm((PetscObject)from), &patch, inverse));
-  PetscCall(PetscObjectReference((PetscObject)from));
-  patch->from = from;
+  for (PetscInt p = 0; p < shared->patches.num; p++) patch->block[p] = PatchInverseReference(base->block[p]);
   PetscCall(RankRowsCreate(change, shared->dim, &shared->nodes, &rows));
   PetscCall(PetscMalloc2(PatchesRoom_Private(shared), &gone, PatchesRoom_Private(shared), &changed));
   PetscCall(PatchesMark_Private(shared, base->num, base->fixed, changed));
