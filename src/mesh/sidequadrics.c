@@ -356,20 +356,41 @@ static void PatchSetFacets_Private(const SmoothSide *side, const PetscReal quadr
   }
 }
 
-PetscErrorCode SideQuadricsGetNormals(const SmoothSide *side, Quadric of_facet[], PetscReal exact[])
+/* Corners at feature edges have no quadric of their own: the normal there is that of their facet's.
+   [in,out] exact - [num][F][3] */
+static void PatchSetRidges_Private(const SmoothSide *side, const Quadric of_facet[], PetscReal exact[])
+{
+  for (PetscInt f = 0; f < side->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(side->facets->type[f]); i++) {
+      const PetscInt c = f * F + i;
+      PetscReal      x[3];
+
+      if (side->shape->ridge[c] == 0 || VectorNorm(3, &of_facet[f].c[LINEAR]) == 0) continue;
+      for (PetscInt k = 0; k < 3; k++)
+        x[k] = SideGetPosition(side->level, side->facets, f, i, k) - of_facet[f].origin[k];
+      (void)QuadricValue(of_facet[f].c, x, &exact[3 * c]);
+      FrameNormalize(3, &exact[3 * c]);
+    }
+  }
+}
+
+PetscErrorCode SideQuadricsGetNormals(const SmoothSide *side, Quadric of_facet[], PetscReal exact[], PetscReal about[])
 {
   const PetscInt num = side->facets->num * F;
-  PetscReal     *ring, *rings, *quadric;
+  PetscReal     *ring, *rings;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc3(num * SUMS, &ring, num * SUMS, &rings, num * MONOMIALS, &quadric));
+  PetscCall(PetscArrayzero(about, num * MONOMIALS));
+  PetscCall(PetscArrayzero(of_facet, side->facets->num));
+  PetscCall(PetscCalloc2(num * SUMS, &ring, num * SUMS, &rings));
   PetscCall(PatchSumPoints_Private(side, ring));
   PetscCall(PatchSumRings_Private(side, ring, rings));
-  PetscCall(PatchFit_Private(side, rings, quadric));
-  PetscCall(PatchConfirm_Private(side, rings, quadric));
-  for (PetscInt k = 0; k < SPREADS; k++) PetscCall(PatchSpread_Private(side, quadric));
-  for (PetscInt c = 0; c < num; c++) PetscCall(PetscArraycpy(&exact[3 * c], &quadric[c * MONOMIALS + LINEAR], 3));
-  PatchSetFacets_Private(side, quadric, of_facet);
-  PetscCall(PetscFree3(ring, rings, quadric));
+  PetscCall(PatchFit_Private(side, rings, about));
+  PetscCall(PatchConfirm_Private(side, rings, about));
+  for (PetscInt k = 0; k < SPREADS; k++) PetscCall(PatchSpread_Private(side, about));
+  for (PetscInt c = 0; c < num; c++) PetscCall(PetscArraycpy(&exact[3 * c], &about[c * MONOMIALS + LINEAR], 3));
+  PatchSetFacets_Private(side, about, of_facet);
+  PatchSetRidges_Private(side, of_facet, exact);
+  PetscCall(PetscFree2(ring, rings));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

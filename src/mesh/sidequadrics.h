@@ -8,7 +8,8 @@
    each node. They are exact for any triangles, where means over facets are exact on spheres alone.
    Collective.
    [in] side - whose planes are not known yet; [out] of_facet - zero where there is none [num]; [out] exact -
-   zero where no quadric is found [num][F][3] */
-PetscErrorCode SideQuadricsGetNormals(const SmoothSide *side, Quadric of_facet[], PetscReal exact[]);
+   zero where no quadric is found [num][F][3]; [out] about - coefficients of quadrics about the node of each
+   corner, with a gradient of one there; zero where there is none [num][F][QUADRIC_MONOMIALS] */
+PetscErrorCode SideQuadricsGetNormals(const SmoothSide *side, Quadric of_facet[], PetscReal exact[], PetscReal about[]);
 
 #endif

@@ -9,6 +9,7 @@
 #include "mesh/sideends.h"
 #include "mesh/sidehanging.h"
 #include "mesh/sidejets.h"
+#include "mesh/sidekinks.h"
 #include "mesh/sidequadrics.h"
 #include "mesh/sidesums.h"
 #include "kernel/vector.h"
@@ -16,7 +17,10 @@
 /* Neighbours lie on a line whose second moment across it is below this share. */
 static const PetscReal ON_A_LINE = 1e-4;
 
-enum { F = ELEMENT_MAX_FACET_NODES };
+enum {
+  F          = ELEMENT_MAX_FACET_NODES,
+  MOST_KINKS = 4 /* searches for quadrics: edges that lie behind each other, and one more */
+};
 
 /* Data of a side during the computation. */
 typedef struct {
@@ -487,11 +491,30 @@ static PetscErrorCode SideShapeFindPlanes_Private(Side *side, const Facets *held
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Normals of quadrics, and the feature edges that these show: what is behind one may then be found to be
+   another quadric, with edges of its own. Collective.
+   [out] quadrics - zero where there is none [num][F][3] */
+static PetscErrorCode SideShapeFindQuadrics_Private(Side *side, PetscReal quadrics[])
+{
+  const SmoothSide smooth = SideShapeSmooth_Private(side);
+  SideShape       *shape  = side->shape;
+  PetscBool        more   = PETSC_TRUE;
+  PetscReal       *about;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(shape->num * F * QUADRIC_MONOMIALS, &about));
+  for (PetscInt k = 0; k < MOST_KINKS && more; k++) {
+    PetscCall(SideQuadricsGetNormals(&smooth, shape->quadric, quadrics, about));
+    PetscCall(SideKinksSplit(&smooth, side->weighted, about, side->share, shape, &more));
+  }
+  PetscCall(PetscFree(about));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets *held, SideShape *shape)
 {
   const PetscInt dim = level->dim, num = facets->num * F;
   Side           side = {.level = level, .facets = facets, .shape = shape};
-  SmoothSide     smooth;
   PetscReal     *known, *mean, *quadrics = NULL;
   PetscBool      turns, file;
 
@@ -501,7 +524,6 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
                          &shape->known, num, &shape->smooth));
   PetscCall(PetscCalloc4(num * dim, &side.weighted, num, &side.share, num, &known, num * dim, &mean));
   PetscCall(SideSumsCreate(level, facets, &side.nodes));
-  smooth = SideShapeSmooth_Private(&side);
   SideShapeSetCorners_Private(&side);
   PetscCall(PetscArraycpy(shape->normal, side.weighted, num * dim));
   PetscCall(SideSumAtNodes(&side.nodes, dim, NULL, shape->normal));
@@ -510,13 +532,13 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
   PetscCall(SideShapeTurns_Private(&side, &turns));
   if (turns) {
     PetscCall(SideSumAtNodes(&side.nodes, 1, shape->ridge, side.share));
-    PetscCall(PetscArraycpy(mean, shape->normal, num * dim));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
     if (file) PetscCall(PetscCalloc1(facets->num, &shape->quadric));
     PetscCall(PetscCalloc2(num * dim, &side.fit.normal, num, &side.fit.spread));
     if (file) // not NULL on ranks without facets
       PetscCall(PetscCalloc2(num * dim + 1, &quadrics, num * dim * dim + 1, &side.fit.curvature));
-    if (file) PetscCall(SideQuadricsGetNormals(&smooth, shape->quadric, quadrics));
+    if (file) PetscCall(SideShapeFindQuadrics_Private(&side, quadrics));
+    PetscCall(PetscArraycpy(mean, shape->normal, num * dim));
     PetscCall(SidePlanesCreate(level, &side.nodes, NULL, &side.planes));
     PetscCall(SideShapeSetNormals_Private(&side, mean, quadrics, known));
     if (file || dim == 2) PetscCall(SideShapeFindPlanes_Private(&side, held, mean));
