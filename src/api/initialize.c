@@ -105,6 +105,7 @@ PetscErrorCode MortiseFinalize(void)
   library.ready = PETSC_FALSE;
   WarningClear();
   OptionsClear();
+  if (!error && library.started_petsc && ProcessIsOwn()) error = UserErrorReleaseSignals();
   if (!error && library.started_petsc) error = PetscFinalize();
   library.started_petsc = PETSC_FALSE;
   if (library.started_mpi) MPI_Finalize();

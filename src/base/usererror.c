@@ -231,17 +231,44 @@ static void UserErrorAbortFn(int number)
   (void)UserErrorSignalFn(number, NULL);
 }
 
+/* Signals of InterruptBegin() that PETSc would take, too. A caller may ignore them, as nohup does. */
+static const int shared[] = {SIGPIPE, SIGHUP, SIGQUIT};
+enum { NUM_SHARED = sizeof(shared) / sizeof(shared[0]) };
+static struct sigaction before[NUM_SHARED];
+
+/* Installs or removes PETSc's handler, and leaves these signals as they were before it. They wait while PETSc
+   has them. */
+static PetscErrorCode UserErrorSetHandler_Private(PetscBool on)
+{
+  sigset_t blocked, mask;
+
+  PetscFunctionBeginUser;
+  (void)sigemptyset(&blocked);
+  for (int s = 0; s < NUM_SHARED; s++) {
+    (void)sigaddset(&blocked, shared[s]);
+    if (on) (void)sigaction(shared[s], NULL, &before[s]);
+  }
+  (void)sigprocmask(SIG_BLOCK, &blocked, &mask);
+  PetscCall(on ? PetscPushSignalHandler(UserErrorSignalFn, NULL) : PetscPopSignalHandler());
+  for (int s = 0; s < NUM_SHARED; s++) (void)sigaction(shared[s], &before[s], NULL);
+  (void)sigprocmask(SIG_SETMASK, &mask, NULL);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode UserErrorCatchSignals(void)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscPushSignalHandler(UserErrorSignalFn, NULL));
-  PetscCall(PetscRegisterFinalize(PetscPopSignalHandler));
+  PetscCall(UserErrorSetHandler_Private(PETSC_TRUE));
   (void)signal(SIGABRT, UserErrorAbortFn);
-  (void)signal(SIGPIPE, SIG_DFL); // the signals of InterruptBegin() are not for PETSc
-  (void)signal(SIGHUP, SIG_DFL);
-  (void)signal(SIGQUIT, SIG_DFL);
   (void)signal(SIGXFSZ, SIG_IGN); // writing beyond a limit then fails like writing to a full disk
   PetscCall(InterruptBegin());
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode UserErrorReleaseSignals(void)
+{
+  PetscFunctionBeginUser;
+  PetscCall(UserErrorSetHandler_Private(PETSC_FALSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -51,6 +51,9 @@ void UserErrorUnmute(PetscBool print);
    program are handled by interrupt.h; a limit on the size of files acts like a full disk. Not collective;
    call after PetscInitialize(). */
 PetscErrorCode UserErrorCatchSignals(void);
+/* The same until here. Signals that the caller ignores, as nohup does, are ignored before, between and after.
+   Not collective; call before PetscFinalize(), which would have their defaults. */
+PetscErrorCode UserErrorReleaseSignals(void);
 
 /* For lack of memory where no error can be returned: prints it and ends all ranks with exit code
    MORTISE_FAILED. Not collective; MPI is initialized. Does not return. */

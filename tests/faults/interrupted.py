@@ -1,5 +1,5 @@
-"""Signals at many moments, and a rank that dies: no hang, no mixture of results, no unfinished file. The next run removes what
-kill -9 leaves."""
+"""Signals at many moments, also ignored ones, and a rank that dies: no hang, no mixture of results, no unfinished file. The next run removes
+what kill -9 leaves."""
 import os
 import random
 import signal
@@ -35,8 +35,20 @@ def end(run, number, moment, whom=None):
     require_whole(run, before)
 
 
+def go_on(run):
+    """A run that ignores SIGHUP, as under nohup, ends as usual, however often the signal comes."""
+    process = start(run, title="ignored", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    while process.poll() is None:
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.005)
+    code, _, stderr = finish(process)
+    require(code == 0, f"exit code {code} of a run that ignores SIGHUP: {stderr}")
+
+
 def judge(run):
     random.seed(5)
+    if run.ranks == 1:  # mpiexec has a handler of its own
+        go_on(run)
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
         for moment in ("writing", "writing", random.uniform(0, SETTING_UP)):
             end(run, number, moment)
