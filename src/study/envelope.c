@@ -118,6 +118,6 @@ PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscR
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < level->num_cells; c++) sum.squared += sum.cell[c];
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum.squared, 1, MPIU_REAL, MPI_SUM, level->comm));
-  PetscCall(MarkingCreate(level, &sum, share, marked, growth));
+  PetscCall(MarkingCreate(level, &sum, share, PETSC_FALSE, marked, growth));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -124,7 +124,7 @@ PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], co
     sum.squared += sum.cell[c];
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum.squared, 1, MPIU_REAL, MPI_SUM, scene->comm));
-  PetscCall(MarkingCreate(run->vi->level, &sum, scene->adapt.marking, marked, growth));
+  PetscCall(MarkingCreate(run->vi->level, &sum, scene->adapt.marking, all, marked, growth));
   PetscCall(PetscFree(sum.cell));
   for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
     const GoalState *state = &states[g];

@@ -103,10 +103,10 @@ static PetscErrorCode MarkingGetClosure_Private(const Level *level, PetscReal *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscInt **marked,
+PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscBool least, PetscInt **marked,
                              PetscReal *growth)
 {
-  const PetscInt most    = estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS;
+  const PetscInt most    = least || estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS;
   PetscReal      largest = 0, closure    = 0, before, enough;
   PetscInt       last[MAX_HALVINGS], num = 0;
   Histogram     *all;

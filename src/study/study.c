@@ -101,7 +101,7 @@ static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
   PetscCall(PetscFree(study->marked[o]));
   if (run->fields) {
     PetscCall(EstimateGet(run->fields, &estimate));
-    PetscCall(MarkingCreate(level, estimate, study->scene->adapt.marking, &study->marked[o], NULL));
+    PetscCall(MarkingCreate(level, estimate, study->scene->adapt.marking, PETSC_FALSE, &study->marked[o], NULL));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscMalloc1(level->num_cells, &study->marked[o]));

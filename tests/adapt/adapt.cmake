@@ -117,6 +117,8 @@ mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm
 # Wherever the origin is.
 mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates} -adapt 5e-2 -upper_dm_plex_box_lower 1000,0 -upper_dm_plex_box_upper 1001,1
   -lower_dm_plex_box_lower 1000,-1 -lower_dm_plex_box_upper 1001,0 -probe_corner_at 1001,0 -probe_middle_at 1000.5,0.3)
+# Three meshes for bars, where one is good enough.
+mortise_scene_test(met SCENE two_plates CHECK met.py RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 9,9 -lower_dm_plex_box_faces 7,7 -upper_young 8e12 -adapt 0.3)
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
 # A later mesh that fails leaves the one before.
