@@ -4,6 +4,7 @@
    partitioned anew: so every level is balanced, and sides that may meet share ranks. For the prolongation,
    the first rank gathers the global nodes of all cells of both levels. It knows the parent of each cell, and
    the position of the cell in it. */
+#include "mesh/normalerrors.h"
 #include "mesh/arcnormals.h"
 #include "base/compat.h"
 
@@ -316,6 +317,7 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
   PetscCall(MeshForestSetNormals(forest, fine));
   PetscCall(MeshForestSetAges_Private(forest, before, fine));
   PetscCall(MeshForestProlong_Private(forest, before, fine - 1, fine));
+  PetscCall(LevelFollowNormalErrors(fine - 1, fine));
   mesh->num_levels++;
   PetscCall(LevelTurnCells(fine, NULL));
   PetscCall(CurvesDestroy(&curves));

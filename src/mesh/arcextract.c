@@ -112,7 +112,7 @@ PetscErrorCode ExtractMarkParabolas(Extract *x, Scene scene, PetscInt body)
   PetscFunctionBeginUser;
   if (x->alone.order == 1 || x->body->polygonal) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(ExtractGetSides_Private(x, scene, body, &sides));
-  PetscCall(LevelMarkParabolas(&x->level, &sides, &x->alone.arcs));
+  PetscCall(LevelMarkParabolas(&x->level, &sides, NULL, &x->alone.arcs));
   PetscCall(ArcSidesDestroy(&sides));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

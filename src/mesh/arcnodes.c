@@ -10,6 +10,7 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "mesh/filearcs.h"
+#include "mesh/normalerrors.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -31,41 +32,43 @@ Level LevelBeforeMap(const Level *level)
 
 /* Offsets of all facets, as ArcBulge() has them; returns whether there are any on this rank. [out] bulge -
    [num][F][dim] */
-static PetscErrorCode BulgesCreate_Private(Level *level, const ArcSides *sides, PetscReal **bulge, PetscBool *any)
+static PetscErrorCode BulgesCreate_Private(const Level *level, const ArcSides *sides, const SideShape *shape,
+                                           PetscReal **bulge, PetscBool *any)
 {
   const Facets  *facets = &sides->round;
   const PetscInt dim    = level->dim;
-  SideShape      shape;
   PetscReal      X[3 * F];
 
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
-  PetscCall(SideShapeCreate(level, facets, &sides->flat, &shape));
   PetscCall(PetscCalloc1(facets->num * F * dim, bulge));
   for (PetscInt f = 0; f < facets->num; f++) {
     VectorGather(dim, ElementNumNodes(facets->type[f]), &facets->nodes[f * F], level->coords, X);
-    if (!ArcBulge(facets->type[f], X, &shape.normal[f * F * dim], &shape.smooth[f * F], &(*bulge)[f * F * dim]))
+    if (!ArcBulge(facets->type[f], X, &shape->normal[f * F * dim], &shape->smooth[f * F], &(*bulge)[f * F * dim]))
       continue;
     *any = PETSC_TRUE;
-    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]) && shape.quadric; e++) {
+    for (PetscInt e = 0; e < ElementNumEdges(facets->type[f]) && shape->quadric; e++) {
       const PetscInt *ends = ElementEdgeNodes(facets->type[f], e);
 
-      (void)QuadricTakeArc(&shape.quadric[f], &X[ends[0] * dim], &X[ends[1] * dim],
+      (void)QuadricTakeArc(&shape->quadric[f], &X[ends[0] * dim], &X[ends[1] * dim],
                            &(*bulge)[(f * F + ElementNumNodes(facets->type[f]) + e) * dim], NULL);
     }
   }
-  PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode LevelHasArcs(Level *level, const ArcSides *sides, PetscBool *any)
 {
   Level      plain = LevelBeforeMap(level);
+  SideShape  shape;
   PetscReal *bulge;
 
   PetscFunctionBeginUser;
-  PetscCall(BulgesCreate_Private(&plain, sides, &bulge, any));
+  PetscCall(SideShapeCreate(&plain, &sides->round, &sides->flat, &shape));
+  PetscCall(BulgesCreate_Private(&plain, sides, &shape, &bulge, any));
+  PetscCall(LevelAddNormalErrors(level, &sides->round, &shape));
   PetscCall(PetscFree(bulge));
+  PetscCall(SideShapeDestroy(&shape));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -126,13 +129,16 @@ static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, co
 /* Sums of all ranks at the nodes. Collective. */
 static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
 {
+  SideShape    shape;
   PetscReal   *bulge;
   PetscBool    any;
   PetscScalar *sums;
   Vec          local;
 
   PetscFunctionBeginUser;
-  PetscCall(BulgesCreate_Private(arcs->from, sides, &bulge, &any));
+  PetscCall(SideShapeCreate(arcs->from, &sides->round, &sides->flat, &shape));
+  PetscCall(BulgesCreate_Private(arcs->from, sides, &shape, &bulge, &any));
+  PetscCall(SideShapeDestroy(&shape));
   PetscCall(LevelCreateVec(arcs->to, 2 * arcs->from->dim + 1, &arcs->sums));
   PetscCall(VecGhostGetLocalForm(arcs->sums, &local));
   PetscCall(VecZeroEntries(local));

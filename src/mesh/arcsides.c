@@ -173,7 +173,7 @@ PetscErrorCode LevelFindFileArcs(Level *level)
 
     if (!body->curved_file || body->polygonal || body->order == 1) continue;
     PetscCall(ArcSidesAdd_Private(level, b, &sides));
-    PetscCall(LevelMarkParabolas(&plain, &sides, &body->arcs));
+    PetscCall(LevelMarkParabolas(&plain, &sides, level, &body->arcs));
     PetscCall(ArcSidesDestroy(&sides));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

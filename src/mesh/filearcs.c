@@ -4,6 +4,7 @@
    On finer levels contact pressures follow these angles. So where the file's middle nodes lie on the curves
    of the normals, refinement follows these curves. Elsewhere it follows the file's parabolas, which know more
    than the normals do. */
+#include "mesh/normalerrors.h"
 #include "base/compat.h"
 #include "kernel/arc.h"
 #include "kernel/vector.h"
@@ -94,8 +95,8 @@ PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, co
 
 /* Finds the facets and edges on arcs. Collective.
    [out] on - facets [num]; at_node - not 0 in the middle of such edges [num][F]; any - on any rank */
-static PetscErrorCode FacetsFindArcs_Private(Level *level, const ArcSides *sides, PetscBool on[], PetscReal at_node[],
-                                             PetscBool *any)
+static PetscErrorCode FacetsFindArcs_Private(Level *level, const ArcSides *sides, Level *mapped, PetscBool on[],
+                                             PetscReal at_node[], PetscBool *any)
 {
   const Facets *facets = &sides->round;
   SideShape     shape;
@@ -105,6 +106,7 @@ static PetscErrorCode FacetsFindArcs_Private(Level *level, const ArcSides *sides
   PetscFunctionBeginUser;
   *any = PETSC_FALSE;
   PetscCall(SideShapeCreate(level, facets, &sides->flat, &shape));
+  if (mapped) PetscCall(LevelAddNormalErrors(mapped, facets, &shape));
   for (PetscInt f = 0; f < facets->num; f++) {
     on[f] = FacetIsOnArcs(level, facets, f, &shape, edge);
     *any  = (PetscBool)(*any || on[f]);
@@ -119,7 +121,7 @@ static PetscErrorCode FacetsFindArcs_Private(Level *level, const ArcSides *sides
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, PetscBool *any)
+PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, Level *mapped, PetscBool *any)
 {
   Facets    *facets = &sides->round;
   PetscInt  *point, edges[ELEMENT_MAX_NODES], facet;
@@ -131,7 +133,7 @@ PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, PetscBool *any)
   PetscCall(FacetsRaise(level, facets));
   PetscCall(FacetsRaise(level, &sides->flat));
   PetscCall(PetscCalloc2(facets->num, &on, facets->num * F, &at_node));
-  PetscCall(FacetsFindArcs_Private(level, sides, on, at_node, any));
+  PetscCall(FacetsFindArcs_Private(level, sides, mapped, on, at_node, any));
   PetscCall(DMGetLabel(level->dm, PARABOLAS, &label));
   if (!label) PetscCall(DMCreateLabel(level->dm, PARABOLAS));
   PetscCall(DMGetLabel(level->dm, PARABOLAS, &label));

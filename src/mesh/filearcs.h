@@ -20,8 +20,9 @@ PetscBool FacetIsOnArcs(const Level *level, const Facets *facets, PetscInt f, co
 /* Marks edges and facets of the DM that stay parabolas. Refinement marks what they are divided into.
    Collective.
    [in] level - before maps; [in,out] sides - facets of first order, outward; of second order afterwards;
-   [out] any - whether some facets are on arcs, on any rank */
-PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, PetscBool *any);
+   mapped - the same level after maps, which gets the errors of normals; or NULL; [out] any - whether some
+   facets are on arcs, on any rank */
+PetscErrorCode LevelMarkParabolas(Level *level, ArcSides *sides, Level *mapped, PetscBool *any);
 /* Whether an edge is marked. Not collective. */
 PetscErrorCode PointIsParabola(DM dm, PetscInt point, PetscBool *parabola);
 

@@ -1,4 +1,5 @@
 /* level.c -- the tables of one DMPlex, and those of its refinement. */
+#include "mesh/normalerrors.h"
 #include "mesh/refinement.h"
 #include "base/compat.h"
 
@@ -77,6 +78,7 @@ PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
   PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
   PetscCall(LevelCreateProlongation(coarse, &refinement, fine));
   PetscCall(LevelFollowCoords(coarse, sides, &refinement, fine));
+  PetscCall(LevelFollowNormalErrors(coarse, fine));
   PetscCall(DMDestroy(&dm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -115,6 +117,7 @@ PetscErrorCode LevelDestroy(Level *level)
   PetscCall(MatDestroy(&level->prolongation));
   PetscCall(MatDestroy(&level->conforming));
   PetscCall(VecDestroy(&level->arcs));
+  PetscCall(VecDestroy(&level->normal_errors));
   PetscCall(PetscFree(level->inner));
   PetscCall(PetscFree(level->hanging.start));
   PetscCall(PetscFree(level->hanging.node));

@@ -55,12 +55,18 @@ typedef struct {
   Mat        conforming;   /* from node values to those of a continuous function: hanging nodes, and no others, get the
                      values that their edge or face has there; AIJ; NULL where no node of the mesh hangs */
   Hanging    hanging;      /* the same for all local nodes */
+  /* Of sides of files (eq. 4.1d): the error u of normals in radians, and u h with the size h of the file's
+     facets; ghosted; NULL where they are known. */
+  Vec        normal_errors;
   Vec        arcs; /* normals of smooth sides at nodes of bisected bodies (arcnormals.c), ghosted; NULL where none */
   PetscReal *unmapped; /* positions before the map, kept where a file gives curved cells [num_nodes][dim]; else NULL */
   PetscInt   point_begin, point_end; /* points of the DM that may carry nodes: the vertices alone, or all */
   PetscInt  *point_node;             /* local node of each, -1 where there is none [point_end - point_begin] */
   Scene      scene;                  /* borrowed */
 } Level;
+
+/* Values of level->normal_errors at a node. */
+enum { LEVEL_NORMAL_ERRORS = 2 };
 
 /* The facets of one side, or of several joined with '+', on this rank. A boundary facet belongs to one cell,
    hence to one rank. */

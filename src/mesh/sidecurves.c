@@ -25,13 +25,21 @@ typedef struct {
   PetscReal same; /* 1 if the node's circle passes through the next part on this side as well, or is a line */
 } Way;
 
-enum { WAYS = 2 * sizeof(Way) / sizeof(PetscReal) };
+/* Angles from a node's normal, ahead of it and behind: to the next node's normal, and to that of the part
+   between. */
+typedef struct {
+  PetscReal node, part;
+} Angles;
+
+enum { WAYS = 2 * sizeof(Way) / sizeof(PetscReal), ANGLES = 2 * sizeof(Angles) / sizeof(PetscReal) };
 
 typedef struct {
   const SmoothSide *smooth;
   PetscReal        *two;    /* length of both parts at a node [num][F] */
   Way (*way)[SIDES];        /* of each corner's node [num][F] */
   PetscReal (*next)[SIDES]; /* 1 if the circle of the node at the other end passes through one part more [num][F] */
+  Angles (*angles)[SIDES];  /* of each corner's node [num][F] */
+  PetscReal *exact;         /* normals [num][F][2] */
   PetscBool *mean;          /* whether the node's normal is the mean (4.1b) [num][F] */
 } Curve;
 
@@ -207,16 +215,66 @@ static void CurveSetEnds_Private(const Curve *curve, PetscReal exact[])
   }
 }
 
-PetscErrorCode SideCurvesGetNormals(const SmoothSide *side, PetscReal exact[])
+static PetscReal NormalsAngle_Private(const PetscReal from[2], const PetscReal to[2])
+{
+  return PetscAtan2Real(from[0] * to[1] - from[1] * to[0], VectorDot(2, from, to));
+}
+
+static void CurveSetAngles_Private(const Curve *curve, PetscInt f, PetscInt at, PetscInt to, PetscInt side)
+{
+  const PetscReal *own = &curve->exact[(f * F + at) * 2], *other = &curve->exact[(f * F + to) * 2];
+  PetscReal        d[2];
+
+  SideGetWay(curve->smooth->level, curve->smooth->facets, f, side == AHEAD ? at : to, side == AHEAD ? to : at, d);
+  curve->angles[f * F + at][side] =
+      (Angles){NormalsAngle_Private(own, other), NormalsAngle_Private(own, (PetscReal[]){d[1], -d[0]})};
+}
+
+/* What is left of (4.1d) at a node: the quadratic through the angles of three nodes, integrated over both
+   parts, less the angles of these. [in] way, angles - [SIDES] */
+static PetscReal CurveGetLeft_Private(const Way way[SIDES], const Angles angles[SIDES])
+{
+  const PetscReal a = way[AHEAD].length, b = way[BEHIND].length;
+  const PetscReal slope = (angles[AHEAD].node * b / a - angles[BEHIND].node * a / b) / (a + b);
+  const PetscReal bend  = (angles[AHEAD].node / a + angles[BEHIND].node / b) / (a + b);
+
+  return PetscAbsReal((slope * (a * a - b * b) / 2 + bend * (a * a * a + b * b * b) / 3 - a * angles[AHEAD].part -
+                       b * angles[BEHIND].part) /
+                      (a + b));
+}
+
+/* Errors of normals that are means. Collective. [out] error - [num][F] */
+static PetscErrorCode CurveSetErrors_Private(const Curve *curve, PetscReal error[])
+{
+  PetscFunctionBeginUser;
+  CurveVisitWays_Private(curve, CurveSetAngles_Private);
+  PetscCall(SideSumAtNodes(curve->smooth->nodes, ANGLES, curve->smooth->shape->ridge, (PetscReal *)curve->angles));
+  for (PetscInt f = 0; f < curve->smooth->facets->num; f++) {
+    for (PetscInt i = 0; i < ElementNumNodes(curve->smooth->facets->type[f]); i++) {
+      const PetscInt c      = f * F + i;
+      Angles        *angles = curve->angles[c];
+
+      if (!curve->mean[c]) continue;
+      for (PetscInt s = 0;
+           s < SIDES && curve->smooth->planes->num && curve->smooth->planes->on[curve->smooth->nodes->corner[c]]; s++) {
+        if (angles[s].part == 0) angles[s] = (Angles){-angles[1 - s].node, -angles[1 - s].part};
+      }
+      error[c] = CurveGetLeft_Private(curve->way[c], angles);
+    }
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideCurvesGetNormals(const SmoothSide *side, PetscReal exact[], PetscReal error[])
 {
   const SideSums   *nodes  = side->nodes;
   const SidePlanes *planes = side->planes;
   const PetscReal  *ridge  = side->shape->ridge;
   const PetscInt    num    = side->facets->num * F;
-  Curve             curve  = {.smooth = side};
+  Curve             curve  = {.smooth = side, .exact = exact};
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc4(num, &curve.two, num, &curve.way, num, &curve.next, num, &curve.mean));
+  PetscCall(PetscCalloc5(num, &curve.two, num, &curve.way, num, &curve.next, num, &curve.mean, num, &curve.angles));
   CurveVisitWays_Private(&curve, CurveSetLength_Private);
   PetscCall(SideSumAtNodes(nodes, 1, ridge, curve.two));
   for (PetscInt c = 0; c < num && planes->num; c++) curve.two[c] *= planes->on[nodes->corner[c]] ? 2 : 1;
@@ -232,6 +290,7 @@ PetscErrorCode SideCurvesGetNormals(const SmoothSide *side, PetscReal exact[])
   }
   CurveSetInner_Private(&curve, exact);
   CurveSetEnds_Private(&curve, exact);
-  PetscCall(PetscFree4(curve.two, curve.way, curve.next, curve.mean));
+  PetscCall(CurveSetErrors_Private(&curve, error));
+  PetscCall(PetscFree5(curve.two, curve.way, curve.next, curve.mean, curve.angles));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -436,13 +436,14 @@ static PetscErrorCode SideShapeSetNormals_Private(Side *side, const PetscReal me
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(fit->normal, num * dim));
   PetscCall(PetscArrayzero(fit->spread, num));
+  PetscCall(PetscArrayzero(fit->error, num));
   PetscCall(PetscArraycpy(shape->normal, mean, num * dim));
   if (quadrics) {
     PetscCall(PetscArraycpy(fit->normal, quadrics, num * dim));
     PetscCall(PetscArrayzero(fit->curvature, num * dim * dim));
     PetscCall(SideJetsGetNormals(&smooth, fit));
   }
-  if (dim == 2) PetscCall(SideCurvesGetNormals(&smooth, fit->normal));
+  if (dim == 2) PetscCall(SideCurvesGetNormals(&smooth, fit->normal, fit->error));
   SideShapeTake_Private(side);
   PetscCall(SideShapeSetCurvatures_Private(side, PETSC_TRUE, known));
   PetscCall(SideEndsSetNormals(side->level, &side->nodes, side->share, known, shape));
@@ -457,6 +458,7 @@ static void SideShapeTakeFit_Private(Side *side)
   const PetscReal *curvature = side->fit.curvature;
 
   for (PetscInt c = 0; c < side->facets->num * F; c++) {
+    side->shape->error[c] = side->fit.error[c];
     side->shape->known[c] = (PetscBool)(dim == 2 || VectorNorm(dim, &side->fit.normal[c * dim]) > 0);
     if (!curvature || VectorNorm(size, &curvature[c * size]) == 0) continue;
     side->shape->smooth[c] = PETSC_TRUE;
@@ -520,8 +522,8 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
 
   PetscFunctionBeginUser;
   *shape = (SideShape){.num = facets->num};
-  PetscCall(PetscCalloc5(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge, num,
-                         &shape->known, num, &shape->smooth));
+  PetscCall(PetscCalloc6(num * dim, &shape->normal, num * dim * dim, &shape->curvature, num, &shape->ridge, num,
+                         &shape->known, num, &shape->smooth, num, &shape->error));
   PetscCall(PetscCalloc4(num * dim, &side.weighted, num, &side.share, num, &known, num * dim, &mean));
   PetscCall(SideSumsCreate(level, facets, &side.nodes));
   SideShapeSetCorners_Private(&side);
@@ -534,7 +536,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
     PetscCall(SideSumAtNodes(&side.nodes, 1, shape->ridge, side.share));
     PetscCall(SideShapeIsOfFile_Private(&side, &file));
     if (file) PetscCall(PetscCalloc1(facets->num, &shape->quadric));
-    PetscCall(PetscCalloc2(num * dim, &side.fit.normal, num, &side.fit.spread));
+    PetscCall(PetscCalloc3(num * dim, &side.fit.normal, num, &side.fit.spread, num, &side.fit.error));
     if (file) // not NULL on ranks without facets
       PetscCall(PetscCalloc2(num * dim + 1, &quadrics, num * dim * dim + 1, &side.fit.curvature));
     if (file) PetscCall(SideShapeFindQuadrics_Private(&side, quadrics));
@@ -548,7 +550,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
     PetscCall(SideShapeSetCurvatures_Private(&side, PETSC_FALSE, NULL));
     SideShapeTakeFit_Private(&side);
     PetscCall(PetscFree2(quadrics, side.fit.curvature));
-    PetscCall(PetscFree2(side.fit.normal, side.fit.spread));
+    PetscCall(PetscFree3(side.fit.normal, side.fit.spread, side.fit.error));
     PetscCall(SideHangingSetShape(level, facets, shape));
   }
   PetscCall(SidePlanesDestroy(&side.planes));
@@ -560,7 +562,7 @@ PetscErrorCode SideShapeCreate(Level *level, const Facets *facets, const Facets 
 PetscErrorCode SideShapeDestroy(SideShape *shape)
 {
   PetscFunctionBeginUser;
-  PetscCall(PetscFree5(shape->normal, shape->curvature, shape->ridge, shape->known, shape->smooth));
+  PetscCall(PetscFree6(shape->normal, shape->curvature, shape->ridge, shape->known, shape->smooth, shape->error));
   PetscCall(PetscFree(shape->quadric));
   shape->num = 0;
   PetscFunctionReturn(PETSC_SUCCESS);

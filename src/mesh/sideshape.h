@@ -17,6 +17,8 @@ typedef struct {
                            [..][dim][dim] */
   PetscBool *known, *smooth; /* whether the normal is better than a mean over facets, by (4.1a), (4.1b) or (4.1c);
                                 whether (4.1c) has the curvature, too [..] */
+  PetscReal *error;          /* of the normal, in radians, estimated by (4.1d); 0 where it is that of a circle or of a
+                         quadric, or where the patch ends [..] */
   PetscReal *ridge;   /* 0 where the patch surrounds the node or ends with the side; at a feature edge 1 if that is
                            convex, -1 if not [..] */
   Quadric   *quadric; /* of each facet in space, whose nodes are from a file; NULL in the plane and for maps [num] */

@@ -8,6 +8,7 @@
 #include "result/frictionfields.h"
 #include "result/gapdiscontinuity.h"
 #include "result/pairsum.h"
+#include "result/sideerrors.h"
 #include "result/solvabilityreport.h"
 #include "result/validity.h"
 #include "output/numberwords.h"
@@ -29,6 +30,9 @@ static const PetscReal EDGE_SHOWS = 0.1;
 static const PetscReal TIED_FAR = 0.05;
 /* Gaps and overlaps below this part of the reach are rounding of positions. */
 static const PetscReal ROUNDING = 1e-12;
+
+/* Errors of pressures that the shape of sides leaves are told above this part of the mean pressure. */
+static const PetscReal ERRORS_SHOW = 0.1;
 
 /* Warns of tied sides that are apart, or overlap. Collective. */
 static PetscErrorCode SummaryWarnTiedGap_Private(const SummaryInput *in, PetscInt p)
@@ -206,6 +210,30 @@ static PetscErrorCode SummaryWarnCoarseCurve_Private(const SummaryInput *in, Pet
                        "on %s:%s",
                        pair->spec->name, (double)size[0], (double)left, in->scene->bodies[side->body].name,
                        side->side));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Warns of pressures that the file's facets do not determine. Collective. */
+static PetscErrorCode SummaryWarnCoarseFile_Private(const SummaryInput *in, PetscInt p)
+{
+  const ScenePair *spec   = in->vi->pairs[p]->spec;
+  Warning          coarse = {.code = "coarse_file",
+                             .pair = spec->name,
+                             .dim  = in->scene->dim,
+                             .advice = "give the file smaller facets on curved sides in contact, or facets of second order"};
+  SideErrors       errors;
+  char             at[128];
+
+  PetscFunctionBeginUser;
+  PetscCall(SideErrorsGet(in->fields, p, &errors));
+  if (errors.pressure <= ERRORS_SHOW * errors.mean) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscArraycpy(coarse.at, errors.at, 3));
+  PetscCall(NumberWordsVector(coarse.dim, coarse.at, at, sizeof(at)));
+  PetscCall(WarningAdd(
+      &coarse,
+      "facets of files leave normals of %s uncertain by about %.2g: so are pressures, by %.2g in the mean "
+      "square, %.2g times the mean, most near %s",
+      spec->name, (double)errors.normal, (double)errors.pressure, (double)(errors.pressure / errors.mean), at));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -475,6 +503,7 @@ PetscErrorCode SummaryWarn(const SummaryInput *input)
     if (input->fields && !round)
       PetscCall(SummaryWarnGapDiscontinuity_Private(input, p)); // a gap bends within few facets
     if (input->fields) PetscCall(SummaryWarnCoarseCurve_Private(input, p));
+    if (input->fields) PetscCall(SummaryWarnCoarseFile_Private(input, p));
     if (input->fields) PetscCall(SummaryWarnHeldFriction_Private(input, p));
   }
   PetscCall(SummaryWarnUnbalanced_Private(input));

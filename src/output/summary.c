@@ -9,6 +9,7 @@
 #include "output/patchsummary.h"
 #include "problem/eigenstrain.h"
 #include "problem/loads.h"
+#include "result/sideerrors.h"
 #include "result/frictionfields.h"
 #include "result/pairsum.h"
 #include "result/probes.h"
@@ -210,6 +211,24 @@ static PetscErrorCode SummaryAddFriction_Private(const SummaryInput *in, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* What is not known of the curved sides of a pair, if there is such. Collective. */
+static PetscErrorCode SummaryAddSideErrors_Private(const SummaryInput *in, PetscInt p, cJSON *pair)
+{
+  SideErrors errors = {.normal = 0};
+  cJSON     *object;
+
+  PetscFunctionBeginUser;
+  if (in->fields) PetscCall(SideErrorsGet(in->fields, p, &errors));
+  if (!(errors.normal > 0)) PetscFunctionReturn(PETSC_SUCCESS);
+  object = cJSON_AddObjectToObject(pair, "side_error");
+  JSONAddReal(object, "normal", errors.normal);
+  JSONAddReal(object, "pressure", errors.pressure);
+  JSONAddReal(object, "max_pressure", errors.largest);
+  JSONAddReals(object, "max_pressure_at", in->scene->dim, errors.at);
+  JSONAddReal(object, "potential", errors.potential);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* The inf-sup number of a pair; nothing without -infsup. */
 static void SummaryAddInfSup_Private(const SummaryInput *in, PetscInt p, cJSON *pair)
 {
@@ -252,6 +271,7 @@ static PetscErrorCode SummaryAddPairs_Private(const SummaryInput *in, cJSON *roo
     PetscCall(SummaryAddFriction_Private(in, p, pair));
     SummaryAddInfSup_Private(in, p, pair);
     PetscCall(GapDiscontinuityAdd(in->fields, p, dim, pair));
+    PetscCall(SummaryAddSideErrors_Private(in, p, pair));
     PetscCall(PatchSummaryAdd(in->fields, p, pair));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

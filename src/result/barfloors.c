@@ -15,12 +15,16 @@
 #include "result/knowntraction.h"
 #include "result/pairsum.h"
 #include "result/reactions.h"
+#include "result/sideerrors.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
 /* Measured (tests/bench/README.md): with them 95 per cent of all bars hold. The factor of a body is larger:
    recovery finds half of the error of a body that is never refined, a quarter of its square. */
 static const PetscReal WHOLE_FACTOR = 2, BODY_FACTOR = 6, LOCAL_FACTOR = 3;
+
+/* Of the mean square error that unknown sides make of the potential. */
+static const PetscReal SHAPE_FACTOR = 2;
 
 /* Of LOCAL_FACTOR, where a part of the stress is known: the difference is an error, not an estimate. */
 static const PetscReal KNOWN_SHARE = 0.5;
@@ -366,8 +370,10 @@ static PetscErrorCode BarFloorsOfBodies_Private(Fields fields, Vec reactions, Pe
 
 PetscErrorCode BarFloorsCreate(Fields fields, Vec reactions, BarFloors *floors)
 {
-  const Scene scene = fields->vi->scene;
-  PetscInt    sides = 0;
+  const Scene scene     = fields->vi->scene;
+  PetscInt    sides     = 0;
+  PetscReal   potential = 0;
+  SideErrors  side;
   Compliance  compliance;
   Estimate    estimate;
 
@@ -380,8 +386,12 @@ PetscErrorCode BarFloorsCreate(Fields fields, Vec reactions, BarFloors *floors)
   PetscCall(BarFloorsOfBodies_Private(fields, reactions, floors->body, floors->side));
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     PetscCall(BarFloorsOfPair_Private(fields, p, &floors->pair[p]));
+    PetscCall(SideErrorsGet(fields, p, &side));
+    floors->pair[p].pressure = PetscMax(floors->pair[p].pressure, LOCAL_FACTOR * side.largest);
+    potential += side.potential;
     PetscCall(FrictionFloorsCompute(fields, p, BODY_FACTOR / WHOLE_FACTOR * floors->whole, &floors->pair[p].friction));
   }
+  floors->whole += SHAPE_FACTOR * BarFloorsGetRelative_Private(potential, estimate->norm / 2);
   PetscCall(ComplianceCreate(scene, &compliance));
   for (PetscInt i = 0; i < scene->num_probes; i++)
     PetscCall(BarFloorsOfProbe_Private(fields, &scene->probes[i], &compliance, &floors->probe[i]));

@@ -83,6 +83,7 @@ SCENES = {
     "floating": ["-options_file", "options/stack.opts", "-units", "mm,N,MPa,K"],
     "checked": ["-options_file", "options/two_plates.opts", "-check"],
     "regions": ["-options_file", "options/lined_hub.opts"],
+    "flanks": ["-options_file", "options/gears.opts"],
     "pieces": ["-options_file", "tests/hard/pieces.opts"],
     "tightened": ["-options_file", "tests/regression/bolt_springs.opts"],
     "slipping": ["-options_file", "options/incline.opts"],
