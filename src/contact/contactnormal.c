@@ -277,11 +277,17 @@ static PetscErrorCode ContactNormalAtEdge_Private(const FacetPartner *partner, c
 
 /* Kinds of nodes: at no edge, at convex edges alone, at others. */
 enum { AT_NONE, AT_CONVEX, AT_OTHER };
+/* What the facets around a node are, the largest of each: the same on all ranks that have the node. */
+enum {
+  NODE_KIND,
+  NODE_SPREAD, /* one less the cosine between the normals of a facet and of the node */
+  NODE_SIZE,   /* longest edge */
+  NODE_COUNT
+};
 
-/* Kinds of nodes, and how far the normals of facets are from that of the node, one less the cosine.
-   Collective. [in] own - ghosted; [out] edges - ghosted, dim per node: kind, distance */
-static PetscErrorCode ContactNormalFindEdges_Private(Level *level, const Facets *facets, const SideShape *shape,
-                                                     Vec own, Vec edges)
+/* Collective. [in] own - ghosted; [out] nodes - ghosted, NODE_COUNT per node, owned by the caller */
+static PetscErrorCode ContactNormalDescribeNodes_Private(Level *level, const Facets *facets, const SideShape *shape,
+                                                         Vec own, Vec *nodes)
 {
   const PetscInt     dim = level->dim;
   const PetscScalar *oa;
@@ -290,32 +296,35 @@ static PetscErrorCode ContactNormalFindEdges_Private(Level *level, const Facets 
   Vec                local[2];
 
   PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, NODE_COUNT, nodes));
   PetscCall(VecGhostGetLocalForm(own, &local[0]));
-  PetscCall(VecGhostGetLocalForm(edges, &local[1]));
+  PetscCall(VecGhostGetLocalForm(*nodes, &local[1]));
   PetscCall(VecZeroEntries(local[1]));
   PetscCall(VecGetArrayRead(local[0], &oa));
   PetscCall(VecGetArray(local[1], &ea));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt num      = ElementNumNodes(facets->type[f]);
-    PetscReal      N[3 * F] = {0};
+    PetscReal      N[3 * F] = {0}, size;
 
     ContactFacetCoordinates(level, facets, f, X);
+    size = ElementLongestEdge(facets->type[f], dim, X);
     FrameAddFacetNormal(dim, num, X, N);
     for (PetscInt i = 0; i < num; i++) {
       const PetscInt  node  = facets->nodes[f * F + i];
       const PetscReal ridge = shape->ridge[f * F + i];
-      PetscScalar    *e     = &ea[node * dim];
+      PetscScalar    *e     = &ea[node * NODE_COUNT];
 
       FrameNormalize(dim, &N[i * dim]);
-      e[0] = PetscMax(PetscRealPart(e[0]), ridge == 0 ? AT_NONE : ridge > 0 ? AT_CONVEX : AT_OTHER);
-      e[1] = PetscMax(PetscRealPart(e[1]), 1 - VectorDot(dim, &N[i * dim], &oa[node * dim]));
+      e[NODE_KIND]   = PetscMax(PetscRealPart(e[NODE_KIND]), ridge == 0 ? AT_NONE : ridge > 0 ? AT_CONVEX : AT_OTHER);
+      e[NODE_SPREAD] = PetscMax(PetscRealPart(e[NODE_SPREAD]), 1 - VectorDot(dim, &N[i * dim], &oa[node * dim]));
+      e[NODE_SIZE]   = PetscMax(PetscRealPart(e[NODE_SIZE]), size);
     }
   }
   PetscCall(VecRestoreArray(local[1], &ea));
   PetscCall(VecRestoreArrayRead(local[0], &oa));
-  PetscCall(VecGhostRestoreLocalForm(edges, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(*nodes, &local[1]));
   PetscCall(VecGhostRestoreLocalForm(own, &local[0]));
-  PetscCall(LevelShareVec(edges, MAX_VALUES));
+  PetscCall(LevelShareVec(*nodes, MAX_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -348,33 +357,30 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
 }
 
 /* Directions at the nodes of this rank's facets, each once.
-   [in] edges - of ContactNormalFindEdges_Private(), or NULL where there is no edge; [in] curved - whether
-   nodes at no edge need a direction; [in,out] na - own normals at local nodes, then directions, zero at
-   nodes of no facet here and, on curved sides, at those without a partner */
+   [in] nodes - of ContactNormalDescribeNodes_Private(); [in] curved - whether nodes at no edge need a
+   direction; [in,out] na - own normals at local nodes, then directions, zero at nodes of no facet here and,
+   on curved sides, at those without a partner */
 static PetscErrorCode ContactNormalSetLocal_Private(Level *level, const FacetPartner *partner, const Facets *facets,
-                                                    const SideShape *shape, const PetscScalar edges[], PetscBool curved,
+                                                    const SideShape *shape, const PetscScalar nodes[], PetscBool curved,
                                                     PetscScalar na[])
 {
-  const PetscInt dim = level->dim;
-  PetscReal      X[3 * F];
-  PetscBool     *done;
+  const PetscInt  dim  = level->dim;
+  const PetscBool edge = (PetscBool)(partner->mortar && partner->spec->type == PAIR_CONTACT);
+  PetscBool      *done;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(level->num_nodes, &done));
   for (PetscInt f = 0; f < facets->num; f++) {
-    PetscReal size;
-
-    ContactFacetCoordinates(level, facets, f, X);
-    size = ElementLongestEdge(facets->type[f], dim, X);
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
-      const PetscInt node = facets->nodes[f * F + i], corner = f * F + i;
-      SurfacePoint   own = {.normal = {0}};
+      const PetscInt     node = facets->nodes[f * F + i], corner = f * F + i;
+      const PetscScalar *at   = &nodes[node * NODE_COUNT];
+      const PetscReal    size = PetscRealPart(at[NODE_SIZE]), spread = PetscRealPart(at[NODE_SPREAD]);
+      SurfacePoint       own = {.normal = {0}};
 
       if (done[node]) continue;
       done[node] = PETSC_TRUE;
-      if (edges && PetscRealPart(edges[node * dim]) == AT_CONVEX)
-        PetscCall(ContactNormalAtEdge_Private(partner, &level->coords[node * dim], size,
-                                              PetscRealPart(edges[node * dim + 1]), &na[node * dim]));
+      if (edge && PetscRealPart(at[NODE_KIND]) == AT_CONVEX)
+        PetscCall(ContactNormalAtEdge_Private(partner, &level->coords[node * dim], size, spread, &na[node * dim]));
       if (!curved) continue;
       for (PetscInt k = 0; k < dim; k++) own.normal[k] = PetscRealPart(na[node * dim + k]);
       for (PetscInt k = 0; k < dim * dim && shape->ridge[corner] == 0; k++)
@@ -449,8 +455,8 @@ PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const
 {
   PetscBool          curved, edge = PETSC_FALSE;
   PetscScalar       *na;
-  const PetscScalar *ea = NULL;
-  Vec                local, own, own_local, edges = NULL, edges_local;
+  const PetscScalar *ea;
+  Vec                local, own, own_local, nodes, nodes_local;
 
   PetscFunctionBeginUser;
   PetscCall(SideShapeIsCurved(level, facets, shape, &curved));
@@ -462,20 +468,15 @@ PetscErrorCode ContactNormalSet(Level *level, const FacetPartner *partner, const
   PetscCall(VecGhostGetLocalForm(own, &own_local));
   PetscCall(VecCopy(local, own_local));
   PetscCall(VecGhostRestoreLocalForm(own, &own_local));
-  if (edge) {
-    PetscCall(VecDuplicate(normals, &edges));
-    PetscCall(ContactNormalFindEdges_Private(level, facets, shape, own, edges));
-    PetscCall(VecGhostGetLocalForm(edges, &edges_local));
-    PetscCall(VecGetArrayRead(edges_local, &ea));
-  }
+  PetscCall(ContactNormalDescribeNodes_Private(level, facets, shape, own, &nodes));
+  PetscCall(VecGhostGetLocalForm(nodes, &nodes_local));
+  PetscCall(VecGetArrayRead(nodes_local, &ea));
   PetscCall(VecGetArray(local, &na));
   PetscCall(ContactNormalSetLocal_Private(level, partner, facets, shape, ea, curved, na));
   PetscCall(VecRestoreArray(local, &na));
-  if (edge) {
-    PetscCall(VecRestoreArrayRead(edges_local, &ea));
-    PetscCall(VecGhostRestoreLocalForm(edges, &edges_local));
-    PetscCall(VecDestroy(&edges));
-  }
+  PetscCall(VecRestoreArrayRead(nodes_local, &ea));
+  PetscCall(VecGhostRestoreLocalForm(nodes, &nodes_local));
+  PetscCall(VecDestroy(&nodes));
   PetscCall(VecGhostRestoreLocalForm(normals, &local));
   PetscCall(NodalNormalsShare(level, normals));
   if (curved) PetscCall(ContactNormalSetBeyond_Private(level, facets, own, normals));

@@ -70,3 +70,6 @@ mortise_scene_test(parts LONG SCENE two_plates CHECK same.py RANKS 1 2 3 8 LABEL
   ARGS -cross_check -upper_dm_plex_box_faces 72,71 -lower_dm_plex_box_faces 56,55 -upper_dm_plex_simplex 1)
 mortise_scene_test(parts_solid SCENE spherical_gap CHECK same.py RANKS 1 LONG_RANKS 3 LABELS cross mpi
   ARGS -cross_check -order 1 -upper_dm_plex_box_faces 17,15,13 -lower_dm_plex_box_faces 9,11,9)
+
+# Facets in another order.
+mortise_scene_test(facet_order CHECK facet_order.py OWN_RUNS RANKS 1 2 LABELS cross)
