@@ -184,7 +184,7 @@ static PetscErrorCode BarFloorsOfPair_Private(Fields fields, PetscInt p, PairFlo
   PetscFunctionBeginUser;
   PetscCall(PairSumCompute(fields, p, &sum));
   PetscCall(BarFloorsCreateNodal_Private(fields, p, &nodal));
-  PetscCall(PairTractionCreate(fields, p, &traction));
+  PetscCall(PairTractionCreate(fields, p, fields->row_status, &traction));
   PetscCall(VecGhostGetLocalForm(traction, &local[2]));
   PetscCall(VecGetArrayRead(local[2], &values.traction));
   PetscCall(VecGhostGetLocalForm(nodal, &local[0]));

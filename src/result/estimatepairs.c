@@ -363,10 +363,11 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
   Vec                 v[]    = {fields->u, NULL, points->normals, NULL, slips ? fields->vi->slip_from : NULL}, local[5];
   const PetscScalar **array[] = {&values.u, &values.traction, &values.normal, &values.status, &values.before};
   const PetscInt      num     = PETSC_STATIC_ARRAY_LENGTH(v);
+  const Fields        judged  = sums->frozen ? sums->frozen->solution : fields;
 
   PetscFunctionBeginUser;
-  PetscCall(PairTractionCreate(fields, p, &v[1]));
-  PetscCall(EstimateCreateStatus_Private(sums->frozen ? sums->frozen->solution : fields, p, &v[3]));
+  PetscCall(PairTractionCreate(fields, p, judged->row_status, &v[1]));
+  PetscCall(EstimateCreateStatus_Private(judged, p, &v[3]));
   PetscCall(PairValuesFetchMortar_Private(fields, fields->vi->pairs[p], &values));
   PetscCall(NodalStressGetArrays(&fields->stress, &values.stress));
   for (PetscInt i = 0; i < num; i++) {

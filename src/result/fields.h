@@ -75,8 +75,9 @@ PetscErrorCode PairFieldsSpread(const Pair pair, PetscReal nodal[], PetscBool co
 void           PairFieldsOmitBeyond(const Pair pair, PairFields *nodal);
 PetscErrorCode PairFieldsDestroy(PairFields *nodal);
 /* What the nonmortar side of pair p gives to its partner per area: lambda_a n_a of contact, the traction of a
-   tie. Collective.
-   [out] traction - ghosted, dim per node, zero off that side; owned by the caller */
-PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction);
+   tie. Open rows have none: their lambda is the residual of the solver, and gaps are large there. Collective.
+   [in] row_status - ContactStatus [vi->num_rows]; [out] traction - ghosted, dim per node, zero off that side;
+   owned by the caller */
+PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, const PetscInt row_status[], Vec *traction);
 
 #endif

@@ -80,7 +80,7 @@ static PetscErrorCode FrictionFloorsLookBeside_Private(Fields fields, PetscInt p
   Vec                traction, local[3];
 
   PetscFunctionBeginUser;
-  PetscCall(PairTractionCreate(fields, p, &traction));
+  PetscCall(PairTractionCreate(fields, p, fields->row_status, &traction));
   PetscCall(VecGhostGetLocalForm(held, &local[0]));
   PetscCall(VecGhostGetLocalForm(traction, &local[1]));
   PetscCall(VecGhostGetLocalForm(beside, &local[2]));

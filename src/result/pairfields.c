@@ -232,7 +232,7 @@ static PetscErrorCode PairTractionExtend_Private(const Pair pair, Vec t)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
+PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, const PetscInt row_status[], Vec *traction)
 {
   const VI         vi   = fields->vi;
   const Pair       pair = vi->pairs[p];
@@ -252,7 +252,8 @@ PetscErrorCode PairTractionCreate(Fields fields, PetscInt p, Vec *traction)
     const PetscInt   a = vi->row_node[r];
     const PetscReal *d = &pair->frame[(a * dim + vi->row_direction[r]) * dim];
 
-    for (PetscInt k = 0; vi->row_pair[r] == p && k < dim; k++) t[pair->nodes[a] * dim + k] += lambda[r] * d[k];
+    if (vi->row_pair[r] != p || row_status[r] == STATUS_OPEN) continue;
+    for (PetscInt k = 0; k < dim; k++) t[pair->nodes[a] * dim + k] += lambda[r] * d[k];
   }
   PetscCall(VecRestoreArray(*traction, &t));
   PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));

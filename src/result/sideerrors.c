@@ -138,7 +138,7 @@ PetscErrorCode SideErrorsGet(Fields fields, PetscInt p, SideErrors *errors)
   PetscCall(PairSumCompute(fields, p, &sum));
   touch.least = LEAST_PRESSURE * PetscMax(0, sum.max_pressure);
   PetscCall(ComplianceCreate(level->scene, &touch.compliance));
-  PetscCall(PairTractionCreate(fields, p, &traction));
+  PetscCall(PairTractionCreate(fields, p, fields->row_status, &traction));
   PetscCall(PairPointsFetch(touch.points, level->normal_errors, FIELDS, &touch.errors_m));
   PetscCall(TouchAddPoints_Private(&touch, traction));
   PetscCall(PetscFree(touch.errors_m));

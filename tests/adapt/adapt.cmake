@@ -70,6 +70,7 @@ mortise_scene_test(page SCENE two_plates CHECK page.py RANKS 1 ARGS ${plates} -a
 mortise_scene_test(ranks SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 2e-2)
 mortise_scene_test(ranks_fine LONG SCENE two_plates CHECK ranks.py RANKS 3 ARGS ${plates} -adapt 5e-3)
 mortise_scene_test(solvers SCENE two_plates CHECK solvers.py RANKS 1 ARGS ${plates} -adapt 2e-2)
+mortise_scene_test(residual SCENE contact_ring CHECK residual.py RANKS 1 ARGS -block_dm_plex_box_faces 32,16 -adapt 3e-2 -adapt_max_meshes 3 -pc_type cholesky)
 # Meshes for a number.
 mortise_scene_test(goal_force LONG SCENE two_plates CHECK goals.py RANKS 1 ARGS ${plates} -adapt_goal force:joint -adapt_goal_tolerance 1e-5)
 mortise_scene_test(goal_probe SCENE two_plates CHECK goals.py RANKS 1 ARGS ${plates} -adapt_goal probe:middle -adapt_goal_tolerance 3e-4)
