@@ -21,6 +21,7 @@ typedef struct {
   PetscReal *coefficient; /* [n] */
   PetscReal *bound;       /* a force [n] */
   PetscReal *origin;      /* y_t without slip [n][2] */
+  PetscReal *place;       /* a number of the node's place, whatever the order of unknowns [n] */
 } FrictionLaw;
 
 /* Results of the last solve. */

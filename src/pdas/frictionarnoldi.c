@@ -15,8 +15,9 @@ static const PetscReal RHO_TINY = 1e-3, RHO_SETTLES = 0.005, RHO_DISTANT = 0.01;
 enum { RHO_WINDOW = 3 };
 static const PetscReal RHO_RATIO = 0.5, RHO_EARLY = 0.33, RHO_REST = 2;
 
-/* The first vector is smooth: the limits. Parts of it follow the direction of slip and the number of the
-   unknown. So it is in no invariant subspace, such as those of symmetric scenes. */
+/* The first vector is smooth: the limits. Parts of it follow the direction of slip and the place of the node,
+   as noise. So it is in no invariant subspace, such as those of symmetric scenes, and it is the same for any
+   order of the unknowns. */
 static const PetscReal SEED_ALONG = 0.5, SEED_ANY = 0.01;
 /* The subspace is invariant if this part of its last image is left. */
 static const PetscReal RHO_INVARIANT = 1e-12;
@@ -29,7 +30,7 @@ static void FrictionArnoldiSetSeed_Private(const FrictionUnits *units, PetscReal
 
     if (unit->status != UNIT_SLIP || !unit->closed) continue;
     seed[a] = FrictionUnitLimit(unit, units->r[unit->normal]) *
-              (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal((PetscReal)unit->normal));
+              (1 + SEED_ALONG * unit->direction[0] + SEED_ANY * PetscSinReal(unit->place));
   }
 }
 

@@ -24,6 +24,7 @@ typedef struct {
   PetscInt   normal;                          /* position in y */
   PetscInt   num, tangent[FRICTION_TANGENTS]; /* tangents, their positions */
   PetscReal  upper, coefficient, bound, origin[FRICTION_TANGENTS];
+  PetscReal  place;                        /* of the law */
   PetscReal  stiffness, resistance;        /* diagonal of A, normal and the largest tangential one */
   PetscBool  closed;                       /* y_n = upper */
   UnitStatus status;                       /* of the tangents; UNIT_FREE: no force */

@@ -35,6 +35,7 @@ enum {
   SENT_UPPER = SENT_TANGENT + FRICTION_TANGENTS,
   SENT_COEFFICIENT,
   SENT_BOUND,
+  SENT_PLACE,
   SENT_ORIGIN,
   SENT_STIFFNESS = SENT_ORIGIN + FRICTION_TANGENTS,
   SENT_RESISTANCE,
@@ -78,6 +79,7 @@ static PetscErrorCode FrictionUnitsPack_Private(const ActiveSet *set, const Fric
     if (a == law->n || law->normal[a] != set->dof[i]) continue;
     s[SENT_COEFFICIENT] = law->coefficient[a];
     s[SENT_BOUND]       = law->bound[a];
+    s[SENT_PLACE]       = law->place[a];
     for (PetscInt k = 0; k < FRICTION_TANGENTS && law->tangent[FRICTION_TANGENTS * a + k] >= 0; k++) {
       const PetscInt at = FrictionUnitsFind_Private(set, law->tangent[FRICTION_TANGENTS * a + k]);
 
@@ -101,6 +103,7 @@ static void FrictionUnitsUnpack_Private(PetscInt num, PetscInt begin, const Pets
                         .upper       = s[SENT_UPPER],
                         .coefficient = s[SENT_COEFFICIENT],
                         .bound       = s[SENT_BOUND],
+                        .place       = s[SENT_PLACE],
                         .stiffness   = s[SENT_STIFFNESS],
                         .resistance  = s[SENT_RESISTANCE]};
     for (PetscInt k = 0; k < FRICTION_TANGENTS && s[SENT_TANGENT + k] >= 0; k++) {

@@ -8,6 +8,9 @@
 #include "base/usererror.h"
 #include "problem/frictionlaw.h"
 
+/* Places of neighbours differ by radians, unless a facet is a smaller part of the sides than one in this. */
+static const PetscReal PLACE_TURNS = 1e3;
+
 /* Tangents behind a normal row. */
 static PetscInt FrictionLawCountTangents_Private(VI vi, PetscInt row)
 {
@@ -114,6 +117,41 @@ PetscErrorCode FrictionLawSetApproach(VI vi, Vec approach)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The place of the node of a row. */
+static const PetscReal *FrictionLawGetPosition_Private(VI vi, PetscInt row)
+{
+  return &vi->level->coords[vi->pairs[vi->row_pair[row]]->nodes[vi->row_node[row]] * vi->level->dim];
+}
+
+/* Places of nodes as numbers: PLACE_TURNS radians from end to end of all nodes with friction. Collective. */
+static PetscErrorCode FrictionLawSetPlaces_Private(VI vi, FrictionLaw *law)
+{
+  const PetscInt  dim     = vi->level->dim;
+  const PetscReal turn[3] = {1, PetscSqrtReal(2), PetscSqrtReal(3)}; // mirror images differ
+  PetscReal       ends[6], size = 0;                                 // upper, and lower with the sign changed
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < 6; k++) ends[k] = PETSC_MIN_REAL;
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscReal *x = FrictionLawGetPosition_Private(vi, r);
+
+    for (PetscInt k = 0; k < 2 * dim && FrictionLawCountTangents_Private(vi, r); k++)
+      ends[k] = PetscMax(ends[k], k < dim ? x[k] : -x[k - dim]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, ends, 2 * dim, MPIU_REAL, MPIU_MAX, vi->level->comm));
+  for (PetscInt k = 0; k < dim; k++) size = PetscMax(size, ends[k] + ends[dim + k]);
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscReal *x = FrictionLawGetPosition_Private(vi, r);
+    const PetscInt   a = FrictionLawCountTangents_Private(vi, r) ? FrictionLawFind(law, vi->row_dof[r]) : -1;
+
+    if (a < 0) continue;
+    law->place[a] = 0;
+    for (PetscInt k = 0; k < dim && size > 0; k++)
+      law->place[a] += PLACE_TURNS * turn[k] * (x[k] + ends[dim + k]) / size;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode FrictionLawCreate(VI vi)
 {
   FrictionLaw *law;
@@ -126,8 +164,8 @@ PetscErrorCode FrictionLawCreate(VI vi)
   if (!all) PetscFunctionReturn(PETSC_SUCCESS); // no node faces a partner
   PetscCall(PetscNew(&law));
   law->n = num_nodes;
-  PetscCall(PetscMalloc5(law->n, &law->normal, FRICTION_TANGENTS * law->n, &law->tangent, law->n, &law->coefficient,
-                         law->n, &law->bound, FRICTION_TANGENTS * law->n, &law->origin));
+  PetscCall(PetscMalloc6(law->n, &law->normal, FRICTION_TANGENTS * law->n, &law->tangent, law->n, &law->coefficient,
+                         law->n, &law->bound, FRICTION_TANGENTS * law->n, &law->origin, law->n, &law->place));
   for (PetscInt r = 0; r < vi->num_rows; r++)
     if (FrictionLawCountTangents_Private(vi, r)) law->normal[n++] = vi->row_dof[r];
   PetscCall(PetscSortInt(law->n, law->normal));
@@ -141,6 +179,7 @@ PetscErrorCode FrictionLawCreate(VI vi)
       law->origin[FRICTION_TANGENTS * a + i]  = 0;
     }
   }
+  PetscCall(FrictionLawSetPlaces_Private(vi, law));
   vi->friction = law;
   PetscCall(FrictionLawUpdate(vi));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -160,7 +199,8 @@ PetscErrorCode FrictionLawDestroy(FrictionLaw **law)
 {
   PetscFunctionBeginUser;
   if (!*law) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscFree5((*law)->normal, (*law)->tangent, (*law)->coefficient, (*law)->bound, (*law)->origin));
+  PetscCall(
+      PetscFree6((*law)->normal, (*law)->tangent, (*law)->coefficient, (*law)->bound, (*law)->origin, (*law)->place));
   PetscCall(PetscFree(*law));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -4,6 +4,7 @@
    They resist every rigid body mode, but hardly change the stiffness of the component. They are not part of
    the problem: the proximal point iteration of solve removes their effect. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "problem/elasticity.h"
 #include "rigid/rigidimpl.h"
 
@@ -20,6 +21,9 @@ static const PetscReal STANDS_STILL = 1e-9;
 enum { SETTLING_STEPS = 8 };
 /* Remaining gaps below this part of the largest gap, or of the expected displacement, count as closed. */
 static const PetscReal GAP_CLOSED = 1e-9;
+
+/* Nodes are equally far if their squared distances differ by less: corners of a box, up to roundoff. */
+static const PetscReal EQUALLY_FAR = 1e-9;
 
 /* Nodes of this rank that may carry regularization: those with Cartesian unknowns, unless a component has too
    few of them. */
@@ -44,33 +48,54 @@ static PetscErrorCode RegularizationMarkCandidates_Private(VI vi, PetscBool cand
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The candidate farthest from all chosen nodes, in each component.
+/* The largest distance of a candidate in each component, -1 where there is none. Collective.
+   [out] farthest - [pieces->num] */
+static PetscErrorCode RegularizationGetFarthest_Private(const Level *level, const Components *pieces,
+                                                        const PetscReal distance[], PetscReal farthest[])
+{
+  PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < pieces->num; b++) farthest[b] = -1;
+  for (PetscInt a = 0; a < level->num_owned; a++) {
+    const PetscInt b = pieces->of_node[a];
+
+    farthest[b] = PetscMax(farthest[b], distance[a]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, farthest, (PetscMPIInt)pieces->num, MPIU_REAL, MPI_MAX, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The candidate farthest from all chosen nodes, in each component. Of several that are equally far it is the
+   last one along a direction in which corners of boxes follow each other: the same for any order of nodes.
    [in] distance - of each candidate to them, -1 for other nodes [num_owned]; [out] places - of the new nodes
    [pieces->num][3]; [out] taken - local numbers of the new nodes, -1 on other ranks [pieces->num] */
 static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, const Components *pieces,
                                                          const PetscReal distance[], PetscReal places[],
                                                          PetscInt taken[])
 {
-  PetscMPIInt rank;
+  const PetscReal along[3] = {1, PetscSqrtReal(2), PetscSqrtReal(3)};
+  PetscReal      *farthest;
+  PetscMPIInt     rank;
   struct {
-    double distance;
+    double along;
     int    rank;
   } * best;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Comm_rank(level->comm, &rank));
-  PetscCall(PetscMalloc1(pieces->num, &best));
+  PetscCall(PetscMalloc2(pieces->num, &best, pieces->num, &farthest));
+  PetscCall(RegularizationGetFarthest_Private(level, pieces, distance, farthest));
   for (PetscInt b = 0; b < pieces->num; b++) {
-    best[b].distance = -1;
-    best[b].rank     = rank;
-    taken[b]         = -1;
+    best[b].along = PETSC_MIN_REAL;
+    best[b].rank  = rank;
+    taken[b]      = -1;
   }
   for (PetscInt a = 0; a < level->num_owned; a++) {
-    const PetscInt b = pieces->of_node[a];
+    const PetscInt  b     = pieces->of_node[a];
+    const PetscReal place = VectorDot(level->dim, along, &level->coords[a * level->dim]);
 
-    if (distance[a] <= best[b].distance) continue;
-    best[b].distance = (double)distance[a];
-    taken[b]         = a;
+    if (distance[a] < 0 || distance[a] < (1 - EQUALLY_FAR) * farthest[b] || place <= best[b].along) continue;
+    best[b].along = (double)place;
+    taken[b]      = a;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, best, (PetscMPIInt)pieces->num, MPI_DOUBLE_INT, MPI_MAXLOC, level->comm));
   PetscCall(PetscArrayzero(places, 3 * pieces->num));
@@ -80,7 +105,7 @@ static PetscErrorCode RegularizationFindFarthest_Private(const Level *level, con
       places[3 * b + k] = level->coords[taken[b] * level->dim + k];
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, places, (PetscMPIInt)(3 * pieces->num), MPIU_REAL, MPI_SUM, level->comm));
-  PetscCall(PetscFree(best));
+  PetscCall(PetscFree2(best, farthest));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

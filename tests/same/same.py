@@ -3,11 +3,12 @@ import re
 
 import numpy as np
 
-from judge import LONG, require, same, same_table
+from judge import LONG, near, require, same, same_table
 from meshes import bodies_of_nodes
 
 FIELDS = 1e-9  # relative to the largest value of a field
 BULK = 1e-12  # the same for stresses, times bulk over shear modulus: strains with so much less volume keep so many digits less
+RHO = 1e-2  # the same of rho in parts of its error, which iterative solvers of systems make
 RANKS = (2, 3, 4) if LONG else (3,)
 
 
@@ -34,6 +35,9 @@ def compare(run, other, what):
         scale = np.abs(mine[:, columns]).max()
         off = np.abs(mine[:, columns] - theirs[:, columns]).max()
         require(off <= allowed * scale, f"{name} on {what}: off by {off:.3g} of {scale:.3g}")
+    friction = [one.summary["solver"].get("friction") for one in (run, other)]
+    if friction[0] and friction[0]["rho"] is not None:
+        near(f"rho on {what}", friction[1]["rho"], friction[0]["rho"], absolute=max(FIELDS, RHO * friction[0]["rho_error"]))
     for pair, values in run.summary["pairs"].items():
         same(f"active nodes of {pair} on {what}", other.pair(pair)["active_nodes"], values["active_nodes"])
         stress = np.abs(mine[:, 3:]).max()  # where nothing presses, pressures are roundoff of this
