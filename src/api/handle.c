@@ -135,6 +135,9 @@ static PetscErrorCode HandleReadScene_Private(Mortise m)
   if (scene->report && !ProcessIsOwn())
     PetscCall(UserErrorRaise(m->comm, "-report: the page is made by the program mortise; write files with -output, and "
                                       "call mortise-report for them"));
+  if (ProcessIsOwn() && scene->steps.scale_set && !scene->steps.num)
+    PetscCall(UserErrorRaise(m->comm, "-load_steps_scale: without load steps t is 1, and multiplies nothing; give "
+                                      "-load_steps, too, or omit it"));
   PetscCall(HTMLReportCheck(scene));
   PetscCall(LogStageEnd(STAGE_SETUP));
   if (!ProcessIsOwn() && !scene->monitor) scene->quiet = PETSC_TRUE; // a library prints on request only

@@ -112,19 +112,20 @@ static PetscErrorCode SlidingNodesRests_Private(const Level *level, const Suppor
 PetscErrorCode SlidingNodesFindEver(Level *level, const Support *support, Mat M, PetscInt num, const PetscInt nodes[],
                                     const PetscReal D[], PetscBool slides[])
 {
-  const Scene     scene   = level->scene;
-  const PetscReal now     = scene->time;
-  const int       changed = scene->changed;
-  PetscBool      *then, rests;
+  const Scene       scene   = level->scene;
+  const SceneSteps *steps   = &scene->steps;
+  const PetscReal   now     = scene->time;
+  const int         changed = scene->changed;
+  PetscBool        *then, rests;
 
   PetscFunctionBeginUser;
   PetscCall(SlidingNodesFind(level, support, M, num, nodes, D, slides));
   PetscCall(PetscMalloc1(num, &then));
   PetscCall(SlidingNodesRests_Private(level, support, num, nodes, slides, &rests));
-  for (PetscInt k = 0; k < scene->steps.num && rests; k++) {
+  for (PetscInt k = 0; k < steps->num_past + steps->num && rests; k++) {
     Support other;
 
-    PetscCall(SceneSetTime(scene, scene->steps.t[k]));
+    PetscCall(SceneSetTime(scene, k < steps->num_past ? steps->past[k] : steps->t[k - steps->num_past]));
     PetscCall(SupportCreate(level, scene, &other));
     PetscCall(SlidingNodesFind(level, &other, M, num, nodes, D, then));
     PetscCall(SupportDestroy(&other));

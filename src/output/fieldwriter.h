@@ -46,12 +46,14 @@ typedef struct {
 
 /* Fields at several times: the times in the file. */
 typedef struct {
-  PetscInt   num, capacity;
-  PetscReal *t;      /* [num] */
-  FieldGrid *grid;   /* [num] */
-  PetscBool  varies; /* whether meshes may differ: then in the groups of their steps, else in the root */
-  PetscBool  fresh;  /* whether the mesh of the last time is new */
-  PetscBool  solved; /* whether the last time is solved: a run can go on from there */
+  PetscInt         num, capacity;
+  PetscReal       *t;        /* [num] */
+  PetscInt         num_past; /* times before the file of -restart ended, and at its end; */
+  const PetscReal *past;     /* these times, of the scene [num_past] */
+  FieldGrid       *grid;     /* [num] */
+  PetscBool        varies;   /* whether meshes may differ: then in the groups of their steps, else in the root */
+  PetscBool        fresh;    /* whether the mesh of the last time is new */
+  PetscBool        solved;   /* whether the last time is solved: a run can go on from there */
 } FieldSeries;
 
 /* A file of fields that is being written. */

@@ -10,7 +10,8 @@
    Readable by h5py, MATLAB, h5dump without any library of ours.
 
    Of a series the quantities of points are in groups, /steps/0001 and so on. Each has the attributes t, its
-   time, and solved, 1 or 0. Those of the last step have their usual names as well. */
+   time, and solved, 1 or 0. Those of the last step have their usual names as well. The attribute before of
+   /steps has the times of the steps before a restart. */
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -182,6 +183,30 @@ static PetscBool HDF5FileWriteNumber_Private(hid_t group, const char name[], hid
   return good;
 }
 
+/* Some numbers as an attribute; false on failure. */
+static PetscBool HDF5FileWriteNumbers_Private(hid_t group, const char name[], PetscInt num, const PetscReal numbers[])
+{
+  const hsize_t length    = (hsize_t)num;
+  const hid_t   space     = H5Screate_simple(1, &length, NULL);
+  const hid_t   attribute = H5Acreate2(group, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
+  PetscBool     good      = (PetscBool)(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, numbers) >= 0);
+
+  if (attribute >= 0) H5Aclose(attribute);
+  H5Sclose(space);
+  return good;
+}
+
+/* The times of the steps before those of the file. */
+static PetscBool HDF5FileWritePast_Private(hid_t file, const FieldSeries *series)
+{
+  const hid_t steps = H5Gopen2(file, "steps", H5P_DEFAULT);
+  PetscBool   good  = (PetscBool)(steps >= 0);
+
+  if (good && series->num_past) good = HDF5FileWriteNumbers_Private(steps, "before", series->num_past, series->past);
+  if (steps >= 0) H5Gclose(steps);
+  return good;
+}
+
 /* The group of the last step of a series. */
 static PetscBool HDF5FileWriteGroup_Private(hid_t file, const FieldSeries *series)
 {
@@ -198,6 +223,7 @@ static PetscBool HDF5FileWriteGroup_Private(hid_t file, const FieldSeries *serie
                      HDF5FileWriteNumber_Private(group, "solved", H5T_STD_I32LE, series->solved ? 1 : 0));
   if (group >= 0) H5Gclose(group);
   if (links >= 0) H5Pclose(links);
+  if (good && series->num == 1) good = HDF5FileWritePast_Private(file, series);
   return good;
 }
 

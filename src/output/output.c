@@ -211,6 +211,10 @@ PetscErrorCode OutputSeriesCreate(Scene scene, OutputSeries *series)
   PetscCall(PetscNew(series));
   (*series)->num = 1 + scene->num_pairs;
   PetscCall(PetscCalloc1((*series)->num, &(*series)->file));
+  for (PetscInt i = 0; i < (*series)->num; i++) {
+    (*series)->file[i].num_past = scene->steps.num_past;
+    (*series)->file[i].past     = scene->steps.past;
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

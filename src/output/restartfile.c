@@ -1,4 +1,4 @@
-/* restartfile.c -- displacement and time of the last solved step, read from the file of an older run.
+/* restartfile.c -- displacement of the last solved step and times, read from the file of an older run.
 
    Where regions meet, a node is several points with one displacement. */
 #include <hdf5.h>
@@ -20,7 +20,9 @@ typedef struct {
   PetscInt  *number;         /* in the file, ascending [num] */
   PetscReal *points, *moved; /* [num][3] */
   int       *body;           /* -1 until found by a cell [num] */
-  PetscReal  t;
+  PetscBool *found;          /* whether a node of this rank is there [num] */
+  PetscInt   num_times, capacity;
+  PetscReal *times; /* of solved steps [num_times] */
 } Past;
 
 /* An open array, [rows][columns] or [rows]. */
@@ -76,28 +78,64 @@ static PetscBool PastReadNumber_Private(hid_t group, const char name[], double *
   return (PetscBool)(bad >= 0);
 }
 
-/* The group of the last solved step, "" for none. */
-static void PastFindStep_Private(hid_t file, char name[GROUP_NAME], PetscReal *t)
+/* Makes room for more times. */
+static PetscErrorCode PastReserve_Private(Past *past, PetscInt more)
+{
+  PetscFunctionBeginUser;
+  if (past->num_times + more > past->capacity) {
+    past->capacity = 2 * past->capacity + more;
+    PetscCall(PetscRealloc(past->capacity * sizeof(*past->times), &past->times));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The times of the runs that the file's run went on from. */
+static PetscErrorCode PastReadBefore_Private(hid_t file, Past *past)
+{
+  const hid_t steps     = H5Gopen2(file, "steps", H5P_DEFAULT);
+  const hid_t attribute = steps >= 0 && H5Aexists(steps, "before") > 0 ? H5Aopen(steps, "before", H5P_DEFAULT) : -1;
+  const hid_t space     = attribute >= 0 ? H5Aget_space(attribute) : -1;
+  hssize_t    num       = 0;
+
+  PetscFunctionBeginUser;
+  if (space >= 0) {
+    num = H5Sget_simple_extent_npoints(space);
+    H5Sclose(space);
+  }
+  if (num > 0) {
+    PetscCall(PastReserve_Private(past, (PetscInt)num));
+    if (H5Aread(attribute, H5T_NATIVE_DOUBLE, past->times) >= 0) past->num_times = (PetscInt)num;
+  }
+  if (attribute >= 0) H5Aclose(attribute);
+  if (steps >= 0) H5Gclose(steps);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The group of the last solved step, "" for none, and the times of all of them. */
+static PetscErrorCode PastFindStep_Private(hid_t file, char name[GROUP_NAME], Past *past)
 {
   const FieldSeries series = {0};
 
+  PetscFunctionBeginUser;
   name[0] = '\0';
-  if (H5Lexists(file, "steps", H5P_DEFAULT) <= 0) return;
+  if (H5Lexists(file, "steps", H5P_DEFAULT) <= 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PastReadBefore_Private(file, past));
   for (PetscInt i = 0;; i++) {
     char   step[XDMF_STEP_NAME];
     double solved = 0, time = 0;
     hid_t  group;
 
     XDMFStepName(&series, i, step);
-    if (H5Lexists(file, step, H5P_DEFAULT) <= 0) return;
-    group = H5Gopen2(file, step, H5P_DEFAULT);
-    if (group < 0) return;
+    group = H5Lexists(file, step, H5P_DEFAULT) > 0 ? H5Gopen2(file, step, H5P_DEFAULT) : -1;
+    if (group < 0) break;
     if (PastReadNumber_Private(group, "solved", &solved) && solved > 0 && PastReadNumber_Private(group, "t", &time)) {
       snprintf(name, GROUP_NAME, "%s", step);
-      *t = time;
+      PetscCall(PastReserve_Private(past, 1));
+      past->times[past->num_times++] = time;
     }
     H5Gclose(group);
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Keeps points within a box, and their displacements. Returns whether the file has them. [in] box - [2][3] */
@@ -198,7 +236,7 @@ static PetscErrorCode PastReadFile_Private(hid_t file, const PetscReal box[], Pa
   Array     arrays[4];
 
   PetscFunctionBeginUser;
-  PastFindStep_Private(file, group, &past->t);
+  PetscCall(PastFindStep_Private(file, group, past));
   if (!group[0]) {
     PetscCall(PetscStrncpy(why, "has no solved load step; give the .h5 file of a run with -load_steps", WHY_LENGTH));
     PetscFunctionReturn(PETSC_SUCCESS);
@@ -227,7 +265,7 @@ static PetscErrorCode PastCreate_Private(MPI_Comm comm, const char path[], const
   hid_t file;
 
   PetscFunctionBeginUser;
-  *past = (Past){.num = 0};
+  *past = (Past){.num = 0, .times = NULL};
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL); // no stack of functions: failures here have messages of this program
   file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file < 0)
@@ -247,6 +285,8 @@ static PetscErrorCode PastDestroy_Private(Past *past)
   PetscCall(PetscFree(past->points));
   PetscCall(PetscFree(past->moved));
   PetscCall(PetscFree(past->body));
+  PetscCall(PetscFree(past->found));
+  PetscCall(PetscFree(past->times));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -289,8 +329,8 @@ static PetscErrorCode PastCreateTree_Private(const Past *past, BoxTree *tree)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The point of a node, -1 for none, -2 for several with different displacements. */
-static PetscErrorCode PastFindPoint_Private(const Past *past, BoxTree tree, PetscReal width, const Level *level,
+/* The point of a node, -1 for none, -2 for several with different displacements. Marks all of its points. */
+static PetscErrorCode PastFindPoint_Private(Past *past, BoxTree tree, PetscReal width, const Level *level,
                                             PetscInt node, PetscInt *found)
 {
   PetscReal       box[6] = {0};
@@ -312,7 +352,8 @@ static PetscErrorCode PastFindPoint_Private(const Past *past, BoxTree tree, Pets
     if (past->body[hits[h]] != level->node_body[node]) continue;
     for (PetscInt k = 0; *found >= 0 && k < 3; k++)
       if (past->moved[3 * hits[h] + k] != past->moved[3 * *found + k]) same = PETSC_FALSE;
-    *found = same ? hits[h] : -2;
+    *found               = same ? hits[h] : -2;
+    past->found[hits[h]] = PETSC_TRUE;
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -338,7 +379,23 @@ static PetscErrorCode PastCheckNode_Private(const Level *level, const char path[
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode RestartFileRead(Level *level, const char path[], Vec *u, PetscReal *t)
+/* Raises a user error of points that no rank has. Collective. */
+static PetscErrorCode PastCheckPoints_Private(const Level *level, const char path[], const Past *past)
+{
+  PetscInt count = 0;
+
+  PetscFunctionBeginUser;
+  for (PetscInt i = 0; i < past->num; i++) count += past->found[i];
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPIU_INT, MPI_SUM, level->comm));
+  if (count < past->all)
+    PetscCall(UserErrorRaise(level->comm,
+                             "-restart %s: %" PetscInt_FMT " of the file's %" PetscInt_FMT
+                             " points are no nodes of the scene; give the scene, with its mesh, that made the file",
+                             path, past->all - count, past->all));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode RestartFileRead(Level *level, const char path[], Vec *u, PetscInt *num, PetscReal **times)
 {
   Past         past;
   BoxTree      tree;
@@ -350,6 +407,7 @@ PetscErrorCode RestartFileRead(Level *level, const char path[], Vec *u, PetscRea
   PetscCall(PastGetBox_Private(level, box, &width));
   PetscCall(PastCreate_Private(level->comm, path, box, &past));
   PetscCall(PastCreateTree_Private(&past, &tree));
+  PetscCall(PetscCalloc1(past.num, &past.found));
   PetscCall(LevelCreateVec(level, level->dim, u));
   PetscCall(VecGetArray(*u, &value));
   for (PetscInt i = 0; i < level->num_owned && wrong < 0; i++) {
@@ -358,10 +416,13 @@ PetscErrorCode RestartFileRead(Level *level, const char path[], Vec *u, PetscRea
     for (PetscInt k = 0; point >= 0 && k < level->dim; k++) value[i * level->dim + k] = past.moved[3 * point + k];
   }
   PetscCall(VecRestoreArray(*u, &value));
-  *t = past.t;
   PetscCall(BoxTreeDestroy(&tree));
-  PetscCall(PastDestroy_Private(&past));
   PetscCall(PastCheckNode_Private(level, path, wrong, (PetscBool)(point == -2)));
+  PetscCall(PastCheckPoints_Private(level, path, &past));
+  *num       = past.num_times;
+  *times     = past.times;
+  past.times = NULL;
+  PetscCall(PastDestroy_Private(&past));
   PetscCall(LevelShareVec(*u, INSERT_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -276,8 +276,8 @@ static const OptionEntry table[] = {
      "may name t."},
     {GROUP_STEPS, "-restart", "file.h5", "", "(bodies without loads)",
      "Goes on from the last solved step of an earlier run of the scene, which may have had another number of ranks. "
-     "Slip of friction counts from there. Steps "
-     "of -load_steps up to that time, where it is among them, are omitted."},
+     "Slip of friction counts from there. Where -load_steps begins with all times that were solved, these are omitted; "
+     "of a number of steps, those up to the last time."},
     {GROUP_STEPS, "-load_steps_halved", "0|1", "", "0",
      "Solves all load steps three times, whole, in two parts and in four. Results are those of four parts, with the "
      "limits for ever smaller "

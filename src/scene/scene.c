@@ -239,6 +239,7 @@ PetscErrorCode SceneDestroy(Scene *scene)
   for (PetscInt i = 0; i < (*scene)->num_paths; i++) PetscCall(PetscFree((*scene)->paths[i].name));
   PetscCall(PetscFree((*scene)->steps.t));
   PetscCall(PetscFree((*scene)->steps.restart));
+  PetscCall(PetscFree((*scene)->steps.past));
   PetscCall(SceneAdaptDestroy(&(*scene)->adapt));
   for (PetscInt i = 0; i < (*scene)->num_regions; i++) {
     PetscCall(SceneMaterialDestroy(&(*scene)->regions[i].material));

@@ -185,6 +185,8 @@ typedef struct {
   PetscBool  scale_set; /* whether the user said what time multiplies; */
   int        scale;     /* DatumKind bits */
   char      *restart;   /* file of the run that is gone on with, or NULL */
+  PetscInt   num_past;  /* steps of that run, with those of the runs that it went on from; */
+  PetscReal *past;      /* their times [num_past] */
   PetscBool  halved;    /* whether all steps are also solved in halves and quarters */
 } SceneSteps;
 

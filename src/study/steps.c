@@ -255,30 +255,39 @@ static PetscErrorCode StepsPrintEnd_Private(const Steps *steps, Run run, const c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Omits the steps up to the end of the file of -restart. [in] t - the time of its end */
-static PetscErrorCode StepsOmit_Private(Scene scene, PetscReal t)
+/* Whether two times are the same. */
+static PetscBool StepsAreSame_Private(PetscReal t, PetscReal other)
 {
-  SceneSteps     *plan = &scene->steps;
-  const PetscReal near = SAME_TIME * PetscMax(PetscAbsReal(t), 1);
-  PetscInt        omit = 0, times = 0;
+  return (PetscBool)(PetscAbsReal(t - other) <= SAME_TIME * PetscMax(PetscAbsReal(other), 1));
+}
+
+/* The number of first steps that the file of -restart has: where a number of steps was given, those up to its
+   last time; of a list, as many as the file has if these are the first ones, else 0. */
+static PetscInt StepsCountPast_Private(const SceneSteps *plan)
+{
+  const PetscReal last = plan->past[plan->num_past - 1];
+  PetscInt        i    = 0;
+
+  if (plan->counted) {
+    while (i < plan->num && (plan->t[i] < last || StepsAreSame_Private(plan->t[i], last))) i++;
+    return i;
+  }
+  while (i < plan->num && i < plan->num_past && StepsAreSame_Private(plan->t[i], plan->past[i])) i++;
+  return i == plan->num_past ? i : 0;
+}
+
+/* Omits the steps that the file of -restart has. */
+static PetscErrorCode StepsOmit_Private(Scene scene)
+{
+  SceneSteps    *plan = &scene->steps;
+  const PetscInt omit = StepsCountPast_Private(plan);
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < plan->num; i++) {
-    const PetscBool same = (PetscBool)(PetscAbsReal(plan->t[i] - t) <= near);
-
-    if (same) times++;
-    if (same || (plan->counted && plan->t[i] < t)) omit = i + 1;
-  }
-  if (times > 1)
-    PetscCall(UserErrorRaise(scene->comm,
-                             "-restart %s: it ends at t = %.9g, which occurs %" PetscInt_FMT
-                             " times in -load_steps; give those that are to follow",
-                             plan->restart, (double)t, times));
   if (omit == plan->num)
     PetscCall(UserErrorRaise(scene->comm,
-                             "-restart %s: it ends at t = %.9g, and -load_steps has no step behind that: steps "
-                             "up to that time are omitted",
-                             plan->restart, (double)t));
+                             "-restart %s: it ends at t = %.9g, and has all steps of -load_steps; give those that are "
+                             "to follow, behind them or alone",
+                             plan->restart, (double)plan->past[plan->num_past - 1]));
   plan->num -= omit;
   PetscCall(PetscArraymove(plan->t, plan->t + omit, plan->num));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -294,13 +303,18 @@ static PetscErrorCode StepsRestart_Private(Steps *steps, Mesh mesh, Run *run)
   PetscFunctionBeginUser;
   if (!scene->steps.restart) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunDestroy(run));
-  PetscCall(RestartFileRead(MeshFinest(mesh), scene->steps.restart, &steps->begin, &steps->begin_t));
-  PetscCall(StepsOmit_Private(scene, steps->begin_t));
-  PetscCall(PetscSNPrintf(omitted, sizeof(omitted), ", without the first %" PetscInt_FMT " of -load_steps",
-                          num - scene->steps.num));
+  PetscCall(RestartFileRead(MeshFinest(mesh), scene->steps.restart, &steps->begin, &scene->steps.num_past,
+                            &scene->steps.past));
+  steps->begin_t = scene->steps.past[scene->steps.num_past - 1];
+  PetscCall(StepsOmit_Private(scene));
+  if (num > scene->steps.num)
+    PetscCall(PetscSNPrintf(omitted, sizeof(omitted), ", without the first %" PetscInt_FMT " of -load_steps",
+                            num - scene->steps.num));
+  else
+    PetscCall(PetscSNPrintf(omitted, sizeof(omitted), ", with all of -load_steps"));
   if (!steps->quiet)
     PetscCall(PetscPrintf(scene->comm, "goes on from t = %.9g of %s%s\n", (double)steps->begin_t, scene->steps.restart,
-                          num > scene->steps.num ? omitted : ""));
+                          omitted));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -60,6 +60,7 @@ mortise_scene_test(small_forces SCENE fretting CHECK small_forces.py ARGS -pc_ty
 mortise_scene_test(restart_ring SCENE pull_off CHECK restart.py RANKS 1 ARGS -load_steps 0,2,4,8,12)
 mortise_scene_test(restart_pairs LONG SCENE clamp CHECK restart.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(restart_solid SCENE incline_solid CHECK restart.py RANKS 3 ARGS -load_steps 4)
+mortise_scene_test(crawl CHECK crawl.py RANKS 1 3)
 mortise_scene_test(restart_mistakes SCENE incline CHECK restart_mistakes.py ONLY_RANKS "the check itself takes several" ARGS -load_steps 1)
 mortise_scene_test(pull_off CHECK pull_off.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(logs CHECK logs.py RANKS 1 3)

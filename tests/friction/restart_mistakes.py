@@ -10,14 +10,16 @@ def judge(run):
     loose = [*run.arguments[:run.arguments.index("-load_steps")]]
     single = Run(run.program, run.mpiexec, 1, run.folder / "alone", loose)
     require(single.exit == 0, single.stderr)
+    fine = Run(run.program, run.mpiexec, 2, run.folder / "fine", [*run.arguments, "-load_steps", "1", "-dm_refine", "1"])
+    require(fine.exit == 0, fine.stderr)
     tried = {
         "missing": (["-restart", "no_such.h5", "-load_steps", "2"], "cannot be read as an HDF5 file"),
         "text": (["-restart", str(run.folder / "text.h5"), "-load_steps", "2"], "cannot be read as an HDF5 file"),
         "no_steps": (["-restart", file], "give -load_steps"),
         "finer": (["-restart", file, "-load_steps", "0.5,1,2", "-dm_refine", "1"], "the body block has a node that the file does not have at"),
         "other_body": (["-restart", file, "-load_steps", "0.5,1,2", "-block_dm_plex_box_upper", "3,1"], "that the file does not have at"),
-        "behind": (["-restart", file, "-load_steps", "2"], "it ends at t = 1, and -load_steps has no step behind that"),
-        "twice": (["-restart", file, "-load_steps", "0.5,1,0.5,1"], "which occurs 2 times in -load_steps"),
+        "behind": (["-restart", file, "-load_steps", "2"], "it ends at t = 1, and has all steps of -load_steps"),
+        "finer_file": (["-restart", str(fine.folder / "result.h5"), "-load_steps", "0.5,1,2"], "408 of the file's 561 points are no nodes of the scene"),
         "own": (["-restart", "result.h5", "-load_steps", "3"], "-output result would replace this file"),
         "adapted": (["-restart", file, "-load_steps", "0.5,1,2", "-adapt", "0.1", "-floor_friction", "0"], "-adapt"),
         "single": (["-restart", str(single.folder / "result.h5"), "-load_steps", "0.5,1,2"], "has no solved load step"),

@@ -20,6 +20,7 @@ mortise_mistake(with_study SCENE two_plates ARGS -load_steps 3 -study uniform SA
 mortise_mistake(no_steps SCENE two_plates RANKS 1 ARGS -load_steps 0 SAYS "-load_steps 0: must be a number of steps from 1 to")
 mortise_mistake(no_time SCENE two_plates RANKS 1 ARGS -load_steps 0.5,soon SAYS "-load_steps" "soon")
 mortise_mistake(no_kind SCENE two_plates RANKS 1 ARGS -load_steps 3 -load_steps_scale force SAYS "-load_steps_scale" "displacements")
+mortise_mistake(scales_nothing SCENE two_plates RANKS 1 ARGS -load_steps_scale loads SAYS "-load_steps_scale: without load steps t is 1" "-load_steps")
 mortise_mistake(none_alone SCENE two_plates RANKS 1 ARGS -load_steps 3 -load_steps_scale none,loads SAYS "-load_steps_scale" "none stands alone")
 
 # What only some steps have: a reach that the last one exceeds, a stiffness or gap that names t, factors for each set.
