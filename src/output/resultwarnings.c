@@ -342,15 +342,16 @@ static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
 /* Warns of a coefficient of friction so large that another solution may be near. */
 static PetscErrorCode SummaryWarnNotUnique_Private(const SummaryInput *in)
 {
-  const PetscReal rho = in->report->friction.rho;
+  const FrictionReport *friction = &in->report->friction;
+  const PetscBool       others   = (PetscBool)(friction->others && !in->vi->rigid_modes.num);
 
   PetscFunctionBeginUser;
-  if (!in->vi->friction || !in->report->converged || rho < 1) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!in->vi->friction || !in->report->converged || !friction->doubtful) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(
       &(Warning){.code = "not_unique", .advice = "compare with smaller load steps, and with a smaller coefficient"},
-      "with this friction the solution may not be the only one: rho is %.3g, and below 1 there is no "
-      "other one near it",
-      (double)rho));
+      "with this friction the solution %s: rho is %.3g, and below 1 there is no other one near it",
+      others ? "is not the only one, and there are at least two others" : "may not be the only one",
+      (double)friction->rho));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -203,9 +203,10 @@ PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, Pets
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);
 /* rho = max |eigenvalue of M|, by Arnoldi's method. Collective.
-   [in] rtol - relative accuracy of the map; [in] part - of the changes at which rho has settled; 0: takes all
-   steps; [in] most - gives up above it; [out] report - rho and its error */
-PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, PetscReal rtol, PetscReal part,
+   [in] correct - error of the last image M v, NULL where it has none; [in] part - of the error at which rho
+   has settled; 0: takes all steps; [in] most - gives up above it;
+   [out] report - rho, its error, and what eigenvalues tell */
+PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, FrictionMap correct, PetscReal part,
                                       PetscReal most, FrictionReport *report);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]

@@ -22,11 +22,12 @@ static const PetscReal LAW_PART = 0.1;
    what they do since. */
 enum { RHO_NODES = 80 };
 static const PetscReal RHO_NEAR = 0.3, RHO_CHANGES = 0.15;
-/* How far it is from that of the finer mesh, as a part of itself: up to 0.21, less where many nodes slip. */
-static const PetscReal RHO_COARSER = 0.25;
+/* How far it is from that of the finer mesh, as a part of itself: where RHO_NODES nodes slip up to 0.21, and
+   where few do as far as it is large. */
+static const PetscReal RHO_COARSER = 0.25, RHO_FEW_NODES = 1;
 /* Accuracy of the systems for rho. On the coarser mesh, where steps are cheap, it settles at LEVEL_SETTLES
-   of the changes. */
-static const PetscReal RHO_RTOL = 1e-2, LEVEL_SETTLES = 0.2;
+   of the error. The error of an image has RHO_CORRECTION as an accuracy; beside RHO_COARSER it is small. */
+static const PetscReal RHO_RTOL = 1e-2, LEVEL_SETTLES = 0.2, RHO_CORRECTION = 0.3;
 
 typedef struct {
   FrictionLinear linear;
@@ -359,27 +360,35 @@ static PetscErrorCode Restart_Krylov(FrictionMethod method)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* w = coefficient d r_n / d G v at the units that slip. [in] v - [num]; [out] w - [num] */
-static PetscErrorCode FrictionKrylovGrow_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
+/* Forces -d v at the tangents of units that slip. [in] v - [num] */
+static PetscErrorCode FrictionKrylovPush_Private(FrictionMethod method, const PetscReal v[], Vec forces)
 {
-  Krylov            *t = method->data;
-  PetscScalar       *f;
-  const PetscScalar *force;
-  PetscInt           iterations = 0;
+  Krylov      *t = method->data;
+  PetscScalar *f;
 
   PetscFunctionBeginUser;
-  PetscCall(VecZeroEntries(t->f));
-  PetscCall(VecGetArray(t->f, &f));
+  PetscCall(VecZeroEntries(forces));
+  PetscCall(VecGetArray(forces, &f));
   for (PetscInt a = 0; a < method->units.num; a++) {
     const FrictionUnit *unit = &method->units.unit[a];
 
     for (PetscInt i = 0; unit->status == UNIT_SLIP && i < unit->num; i++)
       f[FrictionLinearAt(&t->linear, unit->tangent[i])] = -unit->direction[i] * v[a];
   }
-  PetscCall(VecRestoreArray(t->f, &f));
-  PetscCall(FrictionLinearSolve(&t->linear, RHO_RTOL, t->f, t->d, &iterations));
-  PetscCall(MatMult(method->solver->A, t->d, t->f));
-  PetscCall(VecGetArrayRead(t->f, &force));
+  PetscCall(VecRestoreArray(forces, &f));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Coefficient times change of r_n at the units that slip. [in] d - change of y; [in,out] work - scratch;
+   [out] w - [num] */
+static PetscErrorCode FrictionKrylovPress_Private(FrictionMethod method, Vec d, Vec work, PetscReal w[])
+{
+  Krylov            *t = method->data;
+  const PetscScalar *force;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatMult(method->solver->A, d, work));
+  PetscCall(VecGetArrayRead(work, &force));
   for (PetscInt a = 0; a < method->units.num; a++) {
     const FrictionUnit *unit = &method->units.unit[a];
 
@@ -387,7 +396,35 @@ static PetscErrorCode FrictionKrylovGrow_Private(FrictionMethod method, const Pe
                ? -unit->coefficient * PetscRealPart(force[FrictionLinearAt(&t->linear, unit->normal)])
                : 0;
   }
-  PetscCall(VecRestoreArrayRead(t->f, &force));
+  PetscCall(VecRestoreArrayRead(work, &force));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* w = coefficient d r_n / d G v at the units that slip. [in] v - [num]; [out] w - [num] */
+static PetscErrorCode FrictionKrylovGrow_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
+{
+  Krylov  *t          = method->data;
+  PetscInt iterations = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionKrylovPush_Private(method, v, t->f));
+  PetscCall(FrictionLinearSolve(&t->linear, RHO_RTOL, t->f, t->d, &iterations));
+  PetscCall(FrictionKrylovPress_Private(method, t->d, t->f, w));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The error of the last image: what is left of its system is solved. [in] v, [out] w - as before */
+static PetscErrorCode FrictionKrylovCorrect_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
+{
+  Krylov  *t          = method->data;
+  PetscInt iterations = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionKrylovPush_Private(method, v, t->f));
+  PetscCall(MatMult(t->linear.A, t->d, t->begin)); // no step follows
+  PetscCall(VecAXPY(t->f, -1, t->begin));
+  PetscCall(FrictionLinearSolve(&t->linear, RHO_CORRECTION, t->f, t->begin, &iterations));
+  PetscCall(FrictionKrylovPress_Private(method, t->begin, t->f, w));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -405,11 +442,15 @@ static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, Fricti
                                 PetscAbsReal(coarser->rho - 1) > RHO_NEAR &&
                                 (PetscReal)t->changes < RHO_CHANGES * (PetscReal)(report->slipping + report->sticking));
   if (report->coarser) {
-    report->rho       = coarser->rho;
-    report->rho_error = coarser->rho_error + RHO_COARSER * coarser->rho;
+    report->rho = coarser->rho;
+    report->rho_error =
+        coarser->rho_error + (coarser->slipping < RHO_NODES ? RHO_FEW_NODES : RHO_COARSER) * coarser->rho;
+    report->doubtful = coarser->doubtful;
+    report->others   = PETSC_FALSE;
   } else {
     t->linear.coupled = PETSC_FALSE;
-    PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, RHO_RTOL, level ? LEVEL_SETTLES : 1,
+    PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, level ? NULL : FrictionKrylovCorrect_Private,
+                                     level ? LEVEL_SETTLES : 1,
                                      level && report->slipping < RHO_NODES ? RHO_SMALL : PETSC_MAX_REAL, report));
   }
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -236,7 +236,7 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     for (PetscInt i = 0; i < method->units.n; i++) all[i] = mark[i] ? 1 : 0;
     PetscCall(FrictionUnitsCount(&method->units, report, &closed));
     PetscCall(FrictionSystemFactorGiven(&t->problem));
-    PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, 0, 0, PETSC_MAX_REAL, report));
+    PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, NULL, 0, PETSC_MAX_REAL, report));
     report->coarser = PETSC_FALSE;
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));
