@@ -226,7 +226,8 @@ def same_table(table, expected, tolerances, position=("x", "y", "z"), distance=1
             require(not wrong, f"{column} differs at {len(wrong)} points, first at {wrong and targets[wrong[0]]}")
             continue
         scale = max((abs(e) for e in expected[column] if math.isfinite(e)), default=0.0)
-        offs = [abs(table[column][p] - expected[column][t]) for t, p in enumerate(partner)]
+        pairs = [(table[column][p], expected[column][t]) for t, p in enumerate(partner)]
+        offs = [0 if math.isnan(a) and math.isnan(b) else abs(a - b) for a, b in pairs]  # both have no number there
         worst = max(range(len(offs)), key=lambda t: offs[t] if offs[t] == offs[t] else math.inf)
         allowed = absolute + relative * scale
         require(offs[worst] <= allowed, f"{column} = {table[column][partner[worst]]!r} at {targets[worst]}, expected "

@@ -61,6 +61,8 @@ mortise_scene_test(restart_ring SCENE pull_off CHECK restart.py RANKS 1 ARGS -lo
 mortise_scene_test(restart_pairs LONG SCENE clamp CHECK restart.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(restart_solid SCENE incline_solid CHECK restart.py RANKS 3 ARGS -load_steps 4)
 mortise_scene_test(crawl CHECK crawl.py RANKS 1 3)
+# The corner slides in the step before the break alone; it has no friction in any.
+mortise_scene_test(restart_slides SCENE pushed CHECK restart.py RANKS 1 ARGS -block_bc_displacement_left "1e-2*(t<1.5),free" -block_bc_pressure_top "1+0.5*max(t-2,0)" -load_steps 1,2,3)
 mortise_scene_test(restart_mistakes SCENE incline CHECK restart_mistakes.py ONLY_RANKS "the check itself takes several" ARGS -load_steps 1)
 mortise_scene_test(pull_off CHECK pull_off.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(logs CHECK logs.py RANKS 1 3)
