@@ -19,7 +19,7 @@ typedef struct {
   Level    *from, *to;
   PetscInt  begin, end; /* points of from */
   PetscInt *node;       /* of to, in the middle of each point, or -1 [end - begin] */
-  Vec sums; /* at nodes of to: sum of offsets, sum of their squares, sum of normals along which there must be none */
+  Vec       sums;       /* at nodes of to: those of ArcSumsToOffset() */
 } Arcs;
 
 Level LevelBeforeMap(const Level *level)
@@ -96,7 +96,7 @@ PetscErrorCode FacetGetEdges(const Level *level, const PetscInt point[], const F
 static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, const PetscReal bulge[],
                                       PetscScalar sums[])
 {
-  const PetscInt dim = arcs->from->dim, bs = 2 * dim + 1;
+  const PetscInt dim = arcs->from->dim;
   PetscInt      *point, edges[ELEMENT_MAX_NODES];
 
   PetscFunctionBeginUser;
@@ -112,14 +112,11 @@ static PetscErrorCode ArcsAdd_Private(const Arcs *arcs, const Facets *facets, co
       PetscBool      parabola;
 
       PetscCall(PointIsParabola(arcs->from->dm, edges[e], &parabola));
-      for (PetscInt k = 0; k < dim && node >= 0 && !parabola; k++) {
-        if (bulge) {
-          sums[node * bs + k] += bulge[(f * F + num + e) * dim + k];
-          sums[node * bs + dim] += PetscSqr(bulge[(f * F + num + e) * dim + k]);
-        } else {
-          sums[node * bs + dim + 1 + k] += normal[k];
-        }
-      }
+      if (node < 0 || parabola) continue;
+      if (bulge)
+        ArcSumsAddOffset(dim, &bulge[(f * F + num + e) * dim], &sums[node * ARC_SUMS]);
+      else
+        ArcSumsAddPlane(dim, normal, &sums[node * ARC_SUMS]);
     }
   }
   PetscCall(PetscFree(point));
@@ -139,7 +136,7 @@ static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
   PetscCall(SideShapeCreate(arcs->from, &sides->round, &sides->flat, &shape));
   PetscCall(BulgesCreate_Private(arcs->from, sides, &shape, &bulge, &any));
   PetscCall(SideShapeDestroy(&shape));
-  PetscCall(LevelCreateVec(arcs->to, 2 * arcs->from->dim + 1, &arcs->sums));
+  PetscCall(LevelCreateVec(arcs->to, ARC_SUMS, &arcs->sums));
   PetscCall(VecGhostGetLocalForm(arcs->sums, &local));
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &sums));
@@ -152,36 +149,11 @@ static PetscErrorCode ArcsSum_Private(Arcs *arcs, const ArcSides *sides)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Square of the sine between a curved side and a flat one, at least: an edge of both is a feature edge. */
-static const PetscReal LEAST_WITHIN = 0.25;
-
-PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[])
-{
-  const PetscReal squares = PetscRealPart(sums[dim]);
-  PetscReal       total = 0, normal[3], along = 0, square = 0, within;
-
-  if (!(squares > 0)) return PETSC_FALSE;
-  for (PetscInt k = 0; k < dim; k++) {
-    total += PetscSqr(PetscRealPart(sums[k]));
-    normal[k] = PetscRealPart(sums[dim + 1 + k]);
-  }
-  FrameNormalize(dim, normal);
-  for (PetscInt k = 0; k < dim; k++) {
-    offset[k] = squares / PetscMax(total, squares) * PetscRealPart(sums[k]);
-    square += PetscSqr(offset[k]);
-    along += offset[k] * normal[k];
-  }
-  // within the flat side, the way to the curve is longer than along the curve's normal
-  within = PetscMax(square - along * along, LEAST_WITHIN * square);
-  for (PetscInt k = 0; k < dim; k++) offset[k] = square / within * (offset[k] - along * normal[k]);
-  return PETSC_TRUE;
-}
-
 /* The offset of the node of each edge from its position. [out] way - [end - begin][dim], zero where
    nothing is known */
 static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
 {
-  const PetscInt     dim = arcs->from->dim, bs = 2 * dim + 1;
+  const PetscInt     dim = arcs->from->dim;
   const PetscReal   *at = arcs->to->unmapped, *X = arcs->from->coords;
   PetscInt           begin, end, num, vertices[ELEMENT_MAX_NODES];
   const PetscScalar *sums;
@@ -195,7 +167,7 @@ static PetscErrorCode ArcsGetWays_Private(const Arcs *arcs, PetscReal way[])
     const PetscInt node = arcs->node[p - arcs->begin];
     PetscReal      offset[3];
 
-    if (node < 0 || !ArcSumsToOffset(dim, &sums[node * bs], offset)) continue;
+    if (node < 0 || !ArcSumsToOffset(dim, &sums[node * ARC_SUMS], offset)) continue;
     PetscCall(PointGetVertices(arcs->from->dm, p, &num, vertices));
     for (PetscInt k = 0; k < dim; k++) {
       const PetscReal a = X[PointGetNode(arcs->from, vertices[0]) * dim + k];

@@ -6,7 +6,7 @@
 #include "mesh/filearcs.h"
 #include "mesh/refinement.h"
 
-enum { F = ELEMENT_MAX_FACET_NODES, SUM_SQUARE = 3, SUM_PLANE, SUMS = 7 }; // as for ArcSumsToOffset()
+enum { F = ELEMENT_MAX_FACET_NODES };
 
 typedef struct {
   const Level      *coarse; /* before maps */
@@ -15,7 +15,7 @@ typedef struct {
   const ArcSides   *sides; /* of second order, of the coarse level */
   const SideShape  *shape;
   const PetscInt   *point; /* of each coarse node */
-  PetscScalar      *sums;  /* at fine nodes: of rises, of their squares, of normals of flat sides */
+  PetscScalar      *sums;  /* at fine nodes, those of ArcSumsToOffset() */
 } Rises;
 
 /* The place of a part of a facet: the mean of its vertices, each a vertex, an edge's middle or the middle of
@@ -54,16 +54,15 @@ static PetscErrorCode RisesAddPoint_Private(const Rises *rises, PetscInt f, Pets
   for (PetscInt i = 0; i < num; i++) {
     for (PetscInt part = first[i]; part < first[i] + parts[i]; part++) {
       const PetscInt node = PointGetNode(rises->fine, part);
-      PetscScalar   *at   = &rises->sums[node * SUMS];
+      PetscScalar   *at   = &rises->sums[node * ARC_SUMS];
       PetscReal      xi[2], way[3];
 
       if (node < 0) continue;
-      for (PetscInt k = 0; k < 3 && normal; k++) at[SUM_PLANE + k] += normal[k];
+      if (normal) ArcSumsAddPlane(3, normal, at);
       if (!rise) continue;
       PetscCall(RisesGetPlace_Private(rises, f, part, xi)); // for a vertex its own node, where the rise is zero
       RiseAt(rises->sides->round.type[f], rise, xi, way);
-      for (PetscInt k = 0; k < 3; k++) at[k] += way[k];
-      at[SUM_SQUARE] += VectorDot(3, way, way);
+      ArcSumsAddOffset(3, way, at);
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -110,7 +109,7 @@ static PetscErrorCode RisesApply_Private(Rises *rises)
   Vec        sums, local;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelCreateVec(rises->fine, SUMS, &sums));
+  PetscCall(LevelCreateVec(rises->fine, ARC_SUMS, &sums));
   PetscCall(VecGhostGetLocalForm(sums, &local));
   PetscCall(VecZeroEntries(local));
   PetscCall(VecGetArray(local, &rises->sums));
@@ -122,7 +121,7 @@ static PetscErrorCode RisesApply_Private(Rises *rises)
   for (PetscInt n = 0; n < rises->fine->num_nodes; n++) {
     PetscReal offset[3];
 
-    if (!ArcSumsToOffset(3, &rises->sums[n * SUMS], offset)) continue;
+    if (!ArcSumsToOffset(3, &rises->sums[n * ARC_SUMS], offset)) continue;
     for (PetscInt k = 0; k < 3; k++) X[3 * n + k] += offset[k];
   }
   PetscCall(VecRestoreArray(local, &rises->sums));

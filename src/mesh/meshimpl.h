@@ -272,11 +272,14 @@ PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
 /* Moves new nodes of files of second order in space, where these are not on arcs, to the surface of (4.5a).
    Collective. [in,out] fine - with positions on the parabolas of the coarse level */
 PetscErrorCode LevelRiseParabolas(Level *coarse, const Refinement *refinement, Level *fine);
-/* The offset of an edge, from those by its facets. Two facets of one patch give the same offset: it is half
-   of their sum. Two facets of different patches give orthogonal offsets: it is their sum. Sides fixed along
-   their normal stay flat. Returns whether the offset is not zero.
-   [in] sums - of offsets [dim], of their squares, of normals along which there must be none [dim];
+/* The offset x of an edge, from those o by its facets: the least one with o.x = |o|^2 for all. Facets of one
+   patch give the same o, of different patches others, and the edge is on both. Sides fixed along their
+   normal stay flat. Returns whether the offset is not zero. Not collective.
+   [in] sums - of ArcSumsAddOffset(), and of ArcSumsAddPlane() along which there must be none [ARC_SUMS];
    [out] offset - [dim] */
+enum { ARC_SUMS = 15 };
+void      ArcSumsAddOffset(PetscInt dim, const PetscReal offset[], PetscScalar sums[]);
+void      ArcSumsAddPlane(PetscInt dim, const PetscReal normal[], PetscScalar sums[]);
 PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
 /* Allocates facets; collects all facets of first order, with outward normals for any orientation of their
    cells. */

@@ -281,8 +281,8 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
 {
   const TreeArcs *arcs = &tree->arcs;
   const PetscInt  dim = tree->list.dim, low = PetscMin(a, b), high = PetscMax(a, b);
-  PetscScalar     sums[2 * 3 + 1] = {0};
-  PetscBool       round           = PETSC_FALSE;
+  PetscScalar     sums[ARC_SUMS] = {0};
+  PetscBool       round          = PETSC_FALSE;
   PetscInt        edge;
 
   if (high >= arcs->num_vertices) return PETSC_FALSE;
@@ -293,7 +293,7 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
       const SideCorner *other = &arcs->corner[j];
 
       if (other->facet != mine->facet) continue;
-      for (PetscInt d = 0; d < dim && arcs->flat[mine->facet]; d++) sums[dim + 1 + d] += arcs->plane[mine->facet][d];
+      if (arcs->flat[mine->facet]) ArcSumsAddPlane(dim, arcs->plane[mine->facet], sums);
       if (!arcs->round[mine->facet]) continue;
       if (arcs->patch && arcs->patch[mine->facet].any) {
         SidePatchOffset_Private(&arcs->patch[mine->facet], &coords[low * dim], mine, &coords[high * dim], other,
@@ -307,10 +307,7 @@ static PetscBool TreeArcsOffset_Private(const Tree *tree, const PetscReal coords
           (void)QuadricTakeArc(&arcs->quadric[mine->facet], &coords[low * dim], &coords[high * dim], offset, NULL);
       }
       round = PETSC_TRUE;
-      for (PetscInt d = 0; d < dim; d++) {
-        sums[d] += offset[d];
-        sums[dim] += PetscSqr(offset[d]);
-      }
+      ArcSumsAddOffset(dim, offset, sums);
     }
   }
   if (!ArcSumsToOffset(dim, sums, offset)) (void)PetscArrayzero(offset, dim);
