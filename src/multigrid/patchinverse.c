@@ -91,10 +91,10 @@ PatchInverse PatchInverseReference(PatchInverse inverse)
 /* A number that equal matrices share, up to roundoff. */
 static PetscInt PatchInversesHash_Private(PetscInt num, const PetscReal A[])
 {
-  PetscInt64 hash = num;
+  uint64_t hash = (uint64_t)num; // products of unsigned numbers may exceed their range
 
-  for (PetscInt i = 0; i < num; i++) hash = 31 * hash + (PetscInt64)PetscFloorReal(A[i] * HASH_STEPS + 0.5);
-  return (PetscInt)(((hash % NUM_SLOTS) + NUM_SLOTS) % NUM_SLOTS);
+  for (PetscInt i = 0; i < num; i++) hash = 31 * hash + (uint64_t)(PetscInt64)PetscFloorReal(A[i] * HASH_STEPS + 0.5);
+  return (PetscInt)(hash % NUM_SLOTS);
 }
 
 static PetscBool PatchInversesAreSame_Private(PetscInt num, const PetscReal A[], const PetscReal B[])
