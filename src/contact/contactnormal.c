@@ -210,27 +210,6 @@ static PetscErrorCode ContactNormalFindBelow_Private(const FacetPartner *partner
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The shape of the mortar side next to a point, as that of the parallel surface through it. Centres of
-   circles and balls stay the same. Not collective.
-   [in] n - normal at the point; [in] size - of a facet there; [out] found - whether there are facets within
-   reach */
-static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
-                                                      const PetscReal n[], PetscReal size, SurfacePoint *at,
-                                                      PetscBool *found)
-{
-  const PetscInt dim = partner->dim;
-  FacetBelow     below;
-
-  PetscFunctionBeginUser;
-  PetscCall(ContactNormalFindBelow_Private(partner, x, n, size, &below));
-  *found = (PetscBool)(below.facet >= 0);
-  *at    = below.at;
-  if (*found)
-    ContactNormalToParallel_Private(
-        dim, ContactNormalHeightOver_Private(partner->mortar, dim, below.facet, x, below.eta, at), at);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Whether mortar facets of another patch are as near to a point as the one below it. Not collective. */
 static PetscErrorCode ContactNormalAreSeveral_Private(const FacetPartner *partner, const PetscReal x[], PetscReal size,
                                                       const FacetBelow *below, PetscBool *several)
@@ -253,6 +232,29 @@ static PetscErrorCode ContactNormalAreSeveral_Private(const FacetPartner *partne
     ContactNormalMortarShape_Private(partner->mortar, dim, hits[h], eta, &here);
     *several = (PetscBool)(VectorDot(dim, here.normal, below->at.normal) < OTHER_PATCH);
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The shape of the mortar side next to a point, as that of the parallel surface through it. Centres of
+   circles and balls stay the same. Not collective.
+   [in] n - normal at the point; [in] size - of a facet there; [out] found - whether there are facets within
+   reach; several - whether they are of several patches */
+static PetscErrorCode ContactNormalFindMortar_Private(const FacetPartner *partner, const PetscReal x[],
+                                                      const PetscReal n[], PetscReal size, SurfacePoint *at,
+                                                      PetscBool *found, PetscBool *several)
+{
+  const PetscInt dim = partner->dim;
+  FacetBelow     below;
+
+  PetscFunctionBeginUser;
+  PetscCall(ContactNormalFindBelow_Private(partner, x, n, size, &below));
+  *found   = (PetscBool)(below.facet >= 0);
+  *several = PETSC_FALSE;
+  *at      = below.at;
+  if (*found && partner->mortar->edged) PetscCall(ContactNormalAreSeveral_Private(partner, x, size, &below, several));
+  if (*found)
+    ContactNormalToParallel_Private(
+        dim, ContactNormalHeightOver_Private(partner->mortar, dim, below.facet, x, below.eta, at), at);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -328,7 +330,8 @@ static PetscErrorCode ContactNormalDescribeNodes_Private(Level *level, const Fac
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The direction at one node.
+/* The direction at one node. A convex edge of the mortar side touches along the own normal: which of its two
+   patches is nearer would be decided by roundoff.
    [in] own - normal and curvature there; [in] size - of a facet there; [out] n - zero where there is no
    partner [dim] */
 static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, const PetscReal x[],
@@ -336,11 +339,11 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
 {
   const PetscInt dim = partner->dim;
   SurfacePoint   other;
-  PetscBool      found;
+  PetscBool      found, several = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   if (partner->mortar) {
-    PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, size, &other, &found));
+    PetscCall(ContactNormalFindMortar_Private(partner, x, own->normal, size, &other, &found, &several));
   } else {
     PetscCall(ObstacleShape(&partner->spec->obstacle, dim, x, own, size, &other, &found));
     if (found && partner->spec->obstacle.kind != OBSTACLE_PLANE) // a plane has one normal, also for nodes beside it
@@ -348,6 +351,8 @@ static PetscErrorCode ContactNormalFind_Private(const FacetPartner *partner, con
   }
   if (!found) {
     PetscCall(PetscArrayzero(n, dim));
+  } else if (several) {
+    PetscCall(PetscArraycpy(n, own->normal, dim));
   } else if (partner->spec->obstacle.kind == OBSTACLE_PLANE) {
     for (PetscInt k = 0; k < dim; k++) n[k] = -other.normal[k]; // exact for any motion of the node
   } else {

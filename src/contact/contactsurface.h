@@ -23,6 +23,7 @@ typedef struct {
      [..][dim][dim]. */
   PetscReal *normals, *curvature;
   PetscReal *rises; /* of smooth sides (rise.h), or NULL [num][RISE_TERMS][dim] */
+  PetscBool  edged; /* whether it has a convex feature edge, on any rank */
   BoxTree    tree;
 } MortarSurface;
 

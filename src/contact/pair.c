@@ -164,7 +164,7 @@ static PetscBool PairIsPolygonal_Private(const Level *level, const SceneSide *si
 static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mortar, PairAssembly *assembly, Pair pair,
                                                 MortarSurface *surface)
 {
-  PetscBool  curved, curved_m, edge;
+  PetscBool  curved, curved_m, edge, edge_m;
   SideShape  shape;
   PetscReal *rises = NULL;
 
@@ -173,6 +173,7 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   PetscCall(SideShapeIsCurved(level, &assembly->nonmortar, &assembly->shape, &curved));
   PetscCall(SideShapeIsCurved(level, mortar, &shape, &curved_m));
   PetscCall(ContactNormalHasEdge(level, &assembly->shape, &edge));
+  PetscCall(ContactNormalHasEdge(level, &shape, &edge_m));
   if (!curved_m && !pair->spec->gap) PetscCall(PetscFree(assembly->rises));
   if (!pair->spec->gap)
     PetscCall(SmoothGapCreate(level, pair->spec, mortar, &shape, PairIsPolygonal_Private(level, &pair->spec->mortar),
@@ -180,6 +181,7 @@ static PetscErrorCode PairCreateSurface_Private(Level *level, const Facets *mort
   pair->smooth[1] = rises ? PETSC_TRUE : PETSC_FALSE;
   PetscCall(MortarSurfaceCreate(level, &assembly->nonmortar, mortar, curved || edge || rises ? &shape : NULL, rises,
                                 pair->reach + assembly->motion, surface));
+  surface->edged = edge_m;
   PetscCall(PetscFree(rises));
   PetscCall(SideShapeDestroy(&shape));
   PetscFunctionReturn(PETSC_SUCCESS);
