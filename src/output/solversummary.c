@@ -81,7 +81,7 @@ static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solv
   object = cJSON_AddObjectToObject(solver, "friction");
   JSONAddReal(object, "rho", report->rho);
   JSONAddReal(object, "rho_error", report->rho_error);
-  cJSON_AddBoolToObject(object, "unique", !report->doubtful);
+  cJSON_AddBoolToObject(object, "unique", report->rho < 1);
   cJSON_AddBoolToObject(object, "others", report->others && !in->vi->rigid_modes.num);
   cJSON_AddStringToObject(object, "rho_mesh", report->coarser ? "coarser" : "own");
   JSONAddInt(object, "slipping", report->slipping);

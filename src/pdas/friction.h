@@ -29,8 +29,7 @@ typedef struct {
   PetscInt  slipping, sticking; /* nodes */
   PetscReal rho;                /* spectral radius of G -> coefficient r_n(G) at slipping nodes (eq. 16.6) */
   PetscReal rho_error;          /* of its iteration, to first order */
-  PetscBool doubtful;           /* an eigenvalue of that map is 1 or more in size, and not real and negative */
-  PetscBool others;    /* an odd number of them is real and above 1: where supports hold all bodies, there are others */
+  PetscBool others;    /* an odd number of its eigenvalues are real and above 1: held bodies have other solutions */
   PetscInt  shortened; /* Newton steps that were shortened */
   PetscBool coarser;   /* rho is that of the coarser mesh */
 } FrictionReport;

@@ -107,7 +107,7 @@ static void FrictionArnoldiJudge_Private(PetscInt num, const Eigenvalue values[]
   PetscInt above = 0;
 
   report->rho = report->rho_error = 0;
-  report->doubtful = report->others = PETSC_FALSE;
+  report->others                  = PETSC_FALSE;
   for (PetscInt i = 0; i < num; i++) {
     const Eigenvalue *e     = &values[i];
     const PetscReal   size  = EigenvalueSize_Private(e);
@@ -117,7 +117,6 @@ static void FrictionArnoldiJudge_Private(PetscInt num, const Eigenvalue values[]
       report->rho       = size;
       report->rho_error = error;
     }
-    if (size >= 1 && (e->imaginary != 0 || e->real > 0)) report->doubtful = PETSC_TRUE;
     if (e->imaginary == 0 && e->real - error > 1) above++;
   }
   report->others = (PetscBool)(above % 2);

@@ -445,8 +445,7 @@ static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, Fricti
     report->rho = coarser->rho;
     report->rho_error =
         coarser->rho_error + (coarser->slipping < RHO_NODES ? RHO_FEW_NODES : RHO_COARSER) * coarser->rho;
-    report->doubtful = coarser->doubtful;
-    report->others   = PETSC_FALSE;
+    report->others = PETSC_FALSE;
   } else {
     t->linear.coupled = PETSC_FALSE;
     PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, level ? NULL : FrictionKrylovCorrect_Private,

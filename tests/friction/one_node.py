@@ -1,6 +1,6 @@
 """One triangle with one free node on a rigid floor. Its 2 x 2 stiffness is known. Statuses open, stick and both slips are tried one by one: with mu |k_tn| < k_tt exactly
 one fits for every force; the program finds it, and rho = mu |k_tn| / k_tt where the node slips. Beyond, rho > 1 and some forces have three solutions. At the one that
-slips and is the only one the eigenvalue is -rho, at the one that slips and has two others it is rho: the program tells which."""
+slips and is the only one the eigenvalue is -rho, at the one that slips and has two others it is rho: the program tells these."""
 import itertools
 import math
 import random
@@ -105,5 +105,5 @@ def judge(run):
         if table["status"][row] == 3:
             near("rho", friction["rho"], mu / limit, relative=1e-6)
             beyond += mu > limit
-            require(friction["unique"] == (len(all_of) == 1) and friction["others"] == (len(all_of) > 1), f"{friction}, {len(all_of)} solutions")
+            require(friction["unique"] == (mu < limit) and friction["others"] == (len(all_of) > 1), f"{friction}, {len(all_of)} solutions")
     require(kinds == {0, 3, 4} and several >= 4 and beyond, f"statuses {kinds}, {several} with several solutions, {beyond} beyond the limit that slip")
