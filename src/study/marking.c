@@ -15,7 +15,8 @@ static const PetscReal CLOSURE =
     1.8; /* simplices made where one is asked for, since others are bisected until no node hangs; counted in the plane */
 static const PetscReal GROWTH_OF_SHARE =
     1.3; /* cells to be added to each one, in shares of 1; with fewer, more are marked */
-static const PetscReal LEAST_GROWTH = 1.12; /* with larger errors: of the cells, without CLOSURE */
+static const PetscReal LEAST_GROWTH =
+    1.12; /* with larger errors, and with small enough ones: of the cells, without CLOSURE */
 /* Of eta^2 in |u|_a^2. Above, the places of the largest errors may still change. */
 static const PetscReal LARGE_ERROR  = 0.01;  /* no cell is marked again */
 static const PetscReal MEDIUM_ERROR = 0.001; /* cells are marked again for LEAST_GROWTH alone */
@@ -106,7 +107,7 @@ static PetscErrorCode MarkingGetClosure_Private(const Level *level, PetscReal *c
 PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscBool least, PetscInt **marked,
                              PetscReal *growth)
 {
-  const PetscInt most    = least || estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS;
+  const PetscInt most    = estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS;
   PetscReal      largest = 0, closure    = 0, before, enough;
   PetscInt       last[MAX_HALVINGS], num = 0;
   Histogram     *all;
@@ -121,6 +122,7 @@ PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal sh
   before      = all->cells;
   enough      = before * (1 + GROWTH_OF_SHARE * share / closure);
   last[num++] = MarkingHalve_Private(all, share, PETSC_INFINITY);
+  if (least) enough = LEAST_GROWTH * before;
   if (estimate->squared > MEDIUM_ERROR * estimate->norm && all->cells >= LEAST_GROWTH * before) enough = 0;
   while (num < most && all->cells < enough) last[num++] = MarkingHalve_Private(all, share, enough);
   for (PetscInt c = 0; c < level->num_cells; c++) {

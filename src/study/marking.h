@@ -11,7 +11,7 @@
    cent are marked together. So symmetric scenes stay symmetric, and marks do not depend on the number of
    ranks. Collective.
    [in] estimate - of the level;
-   [in] least - whether no more cells are marked than hold the share;
+   [in] least - whether cells are marked again for the least growth alone;
    [out] marked - how often edges are to be halved [num_cells], owned by the caller;
    [out] growth - expected, of the number of cells; NULL if not wanted */
 PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscBool least, PetscInt **marked,
