@@ -2,8 +2,8 @@
 
    A node hangs on an edge, of which the facet has one half. The number of nodes of this edge outside of the
    facet is that of nodes that hang on it: the change of basis is square. */
-#include <petscblaslapack.h>
 #include "base/compat.h"
+#include <petscblaslapack.h>
 #include "contact/carryingnodes.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
