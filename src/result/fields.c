@@ -300,6 +300,7 @@ PetscErrorCode FieldsDestroy(Fields *fields)
   PetscCall(PetscFree2((*fields)->stiffness, (*fields)->body_max));
   PetscCall(PetscFree((*fields)->validity));
   PetscCall(EstimateDestroy(&(*fields)->estimate));
+  PetscCall(PetscFree((*fields)->side_errors));
   PetscCall(PetscFree4((*fields)->row_weight, (*fields)->row_moment, (*fields)->row_noise, (*fields)->row_status));
   PetscCall(PetscFree(*fields));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -124,7 +124,8 @@ static PetscErrorCode TouchAddPoints_Private(Touch *touch, Vec traction)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SideErrorsGet(Fields fields, PetscInt p, SideErrors *errors)
+/* Of pair p. Collective. [out] errors - all 0 where there are none */
+static PetscErrorCode SideErrorsCompute_Private(Fields fields, PetscInt p, SideErrors *errors)
 {
   Level  *level = fields->vi->level;
   Touch   touch = {.level = level, .points = fields->vi->pairs[p]->points};
@@ -133,8 +134,7 @@ PetscErrorCode SideErrorsGet(Fields fields, PetscInt p, SideErrors *errors)
 
   PetscFunctionBeginUser;
   *errors = (SideErrors){.normal = 0};
-  if (!level->normal_errors || !touch.points || fields->vi->pairs[p]->spec->type == PAIR_TIED)
-    PetscFunctionReturn(PETSC_SUCCESS);
+  if (!touch.points || fields->vi->pairs[p]->spec->type == PAIR_TIED) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PairSumCompute(fields, p, &sum));
   touch.least = LEAST_PRESSURE * PetscMax(0, sum.max_pressure);
   PetscCall(ComplianceCreate(level->scene, &touch.compliance));
@@ -153,5 +153,20 @@ PetscErrorCode SideErrorsGet(Fields fields, PetscInt p, SideErrors *errors)
                          .largest   = touch.largest.value,
                          .potential = PetscSqrtReal(touch.sums[SUM_POTENTIAL])};
   PetscCall(PetscArraycpy(errors->at, touch.largest.at, 3));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SideErrorsGet(Fields fields, PetscInt p, SideErrors *errors)
+{
+  const PetscInt num = fields->vi->scene->num_pairs;
+
+  PetscFunctionBeginUser;
+  *errors = (SideErrors){.normal = 0};
+  if (!fields->vi->level->normal_errors) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!fields->side_errors) {
+    PetscCall(PetscMalloc1(num, &fields->side_errors));
+    for (PetscInt i = 0; i < num; i++) PetscCall(SideErrorsCompute_Private(fields, i, &fields->side_errors[i]));
+  }
+  *errors = fields->side_errors[p];
   PetscFunctionReturn(PETSC_SUCCESS);
 }

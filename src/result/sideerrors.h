@@ -5,7 +5,7 @@
 #include "result/fields.h"
 
 /* All 0 where the sides are known, or do not touch; the same on all ranks. */
-typedef struct {
+typedef struct _n_SideErrors {
   PetscReal normal;    /* error of the normals of both sides in contact, in radians, in the mean square */
   PetscReal pressure;  /* of the pressure, in the mean square */
   PetscReal mean;      /* mean pressure */
@@ -14,7 +14,8 @@ typedef struct {
   PetscReal potential; /* of the potential: that of int p d g */
 } SideErrors;
 
-/* Of pair p, from the curves of its sides (level->normal_errors). Collective. */
+/* Of pair p, from the curves of its sides (level->normal_errors). The fields keep those of all pairs.
+   Collective. */
 PetscErrorCode SideErrorsGet(Fields fields, PetscInt p, SideErrors *errors);
 
 #endif
