@@ -130,6 +130,7 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   const ObstacleKind obstacle = in->vi->pairs[p]->spec->obstacle.kind;
   Warning            coarse   = {.code = "coarse_contact", .pair = name, .dim = in->scene->dim};
   CoarseContact      found;
+  const PetscBool    holds = (PetscBool)(ScenePairHasFriction(in->vi->pairs[p]->spec) && in->vi->rigid_modes.num);
   PetscBool          jumps = PETSC_FALSE;
   PetscReal          overlap, where[3];
   char               text[128], advice[256], facets[32];
@@ -160,8 +161,8 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
                    name, facets, text));
   } else {
     (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s", (double)found.size, text);
-    PetscCall(
-        WarningAdd(&coarse, "the contact of %s is %s wide, and its largest pressure is not resolved", name, facets));
+    PetscCall(WarningAdd(&coarse, "the contact of %s is %s wide, and its largest pressure is not resolved%s", name,
+                         facets, holds ? ", nor the friction that holds bodies there" : ""));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
