@@ -26,7 +26,8 @@ static const PetscReal RHO_NEAR = 0.3, RHO_CHANGES = 0.15;
    where few do as far as it is large. */
 static const PetscReal RHO_COARSER = 0.25, RHO_FEW_NODES = 1;
 /* Accuracy of the systems for rho. On the coarser mesh, where steps are cheap, it settles at LEVEL_SETTLES
-   of the error. The error of an image has RHO_CORRECTION as an accuracy; beside RHO_COARSER it is small. */
+   of the error; where few nodes slip at all of it, beside which RHO_FEW_NODES is large. The error of an image
+   has RHO_CORRECTION as an accuracy; beside RHO_COARSER it is small. */
 static const PetscReal RHO_RTOL = 1e-2, LEVEL_SETTLES = 0.2, RHO_CORRECTION = 0.3;
 
 typedef struct {
@@ -435,6 +436,7 @@ static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, Fricti
   Krylov               *t       = method->data;
   const FrictionReport *coarser = &pdas->coarser;
   const PetscBool       level   = (PetscBool)(method->solver->rtol > LEVEL_RTOL);
+  const PetscBool       few     = (PetscBool)(report->slipping < RHO_NODES);
 
   PetscFunctionBeginUser;
   if (pdas->rho_skipped || (t->same && report->rho > 0)) PetscFunctionReturn(PETSC_SUCCESS);
@@ -449,8 +451,8 @@ static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, Fricti
   } else {
     t->linear.coupled = PETSC_FALSE;
     PetscCall(FrictionSpectralRadius(method, FrictionKrylovGrow_Private, level ? NULL : FrictionKrylovCorrect_Private,
-                                     level ? LEVEL_SETTLES : 1,
-                                     level && report->slipping < RHO_NODES ? RHO_SMALL : PETSC_MAX_REAL, report));
+                                     level && !few ? LEVEL_SETTLES : 1, level && few ? RHO_SMALL : PETSC_MAX_REAL,
+                                     report));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
