@@ -6,7 +6,7 @@
 #define MORTISE_CARRYINGNODES_H
 
 #include "kernel/dual.h"
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 typedef struct {
   Facets     facets; /* those of the side, whose types and cells are borrowed, with these nodes */

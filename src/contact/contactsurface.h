@@ -4,8 +4,8 @@
 
 #include "kernel/boxtree.h"
 #include "kernel/clip.h"
-#include "mesh/mesh.h"
-#include "mesh/sideshape.h"
+#include "level/level.h"
+#include "side/sideshape.h"
 
 /* Largest cosine between the normals of two facets that face each other: an angle above 107 degrees. The same
    holds for a facet's normal and a ray that meets it. */

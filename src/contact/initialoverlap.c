@@ -5,7 +5,7 @@
    deep. */
 #include "kernel/boxtree.h"
 #include "base/compat.h"
-#include "mesh/insidebody.h"
+#include "side/insidebody.h"
 #include "contact/pairassembly.h"
 #include "contact/contactsurface.h"
 

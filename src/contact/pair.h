@@ -13,7 +13,7 @@
 #ifndef MORTISE_PAIR_H
 #define MORTISE_PAIR_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 #include "support/support.h"
 
 /* Where the covered part of the nonmortar side ends within a facet. */

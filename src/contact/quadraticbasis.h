@@ -3,7 +3,7 @@
 #ifndef MORTISE_QUADRATICBASIS_H
 #define MORTISE_QUADRATICBASIS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* u = u~ + to_nodal u~ and u~ = u + from_nodal u on the nonmortar side, node x node. With multipliers at
    vertices alone, the unknown of another node is its displacement less the linear interpolation. With

@@ -4,8 +4,8 @@
    partitioned anew: so every level is balanced, and sides that may meet share ranks. For the prolongation,
    the first rank gathers the global nodes of all cells of both levels. It knows the parent of each cell, and
    the position of the cell in it. */
-#include "mesh/normalerrors.h"
-#include "mesh/arcnormals.h"
+#include "side/normalerrors.h"
+#include "mesh/treenormals.h"
 #include "base/compat.h"
 
 PetscErrorCode MeshForestCreate(Scene scene, BodyList lists[], SideNames names[], MeshForest *forest)

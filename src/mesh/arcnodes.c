@@ -10,7 +10,7 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "mesh/filearcs.h"
-#include "mesh/normalerrors.h"
+#include "side/normalerrors.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -21,14 +21,6 @@ typedef struct {
   PetscInt *node;       /* of to, in the middle of each point, or -1 [end - begin] */
   Vec       sums;       /* at nodes of to: those of ArcSumsToOffset() */
 } Arcs;
-
-Level LevelBeforeMap(const Level *level)
-{
-  Level plain = *level;
-
-  if (level->unmapped) plain.coords = level->unmapped;
-  return plain;
-}
 
 /* Offsets of all facets, as ArcBulge() has them; returns whether there are any on this rank. [out] bulge -
    [num][F][dim] */

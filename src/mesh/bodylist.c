@@ -26,31 +26,6 @@ PetscErrorCode BodyListDestroy(BodyList *list)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one name unless it is there. */
-static PetscErrorCode SideNamesAddOne_Private(SideNames *names, const char name[], size_t length)
-{
-  PetscInt i;
-
-  PetscFunctionBeginUser;
-  for (i = 0; i < names->num; i++) {
-    if (strlen(names->name[i]) == length && !strncmp(names->name[i], name, length)) PetscFunctionReturn(PETSC_SUCCESS);
-  }
-  PetscCall(PetscRealloc((names->num + 1) * sizeof(char *), &names->name));
-  PetscCall(PetscMalloc1(length + 1, &names->name[names->num]));
-  memcpy(names->name[names->num], name, length);
-  names->name[names->num++][length] = '\0';
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode SideNamesAdd(SideNames *names, const char side[])
-{
-  PetscFunctionBeginUser;
-  for (const char *part = side; part; part = strchr(part, '+') ? strchr(part, '+') + 1 : NULL) {
-    PetscCall(SideNamesAddOne_Private(names, part, strcspn(part, "+")));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
 {
   const SceneBody *b = &scene->bodies[body];
@@ -67,32 +42,6 @@ PetscErrorCode SideNamesOfBody(Scene scene, PetscInt body, SideNames *names)
     if (pair->mortar.body == body) PetscCall(SideNamesAdd(names, pair->mortar.side));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode SideNamesDestroy(SideNames *names)
-{
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < names->num; i++) PetscCall(PetscFree(names->name[i]));
-  PetscCall(PetscFree(names->name));
-  names->num = 0;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Compares sets of vertices: the first vertex of a facet, and its orientation, may differ. */
-PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[])
-{
-  const PetscInt num_nodes = ElementNumNodes(ElementLinear(ElementFacetType(type)));
-
-  for (PetscInt f = 0; f < ElementNumFacets(type); f++) {
-    const PetscInt *nodes = ElementFacetNodes(type, f);
-    PetscInt        found = 0;
-
-    for (PetscInt i = 0; i < num_nodes; i++) {
-      for (PetscInt j = 0; j < num_nodes; j++) found += cell[nodes[i]] == facet[j];
-    }
-    if (found == num_nodes) return f;
-  }
-  return -1;
 }
 
 PetscErrorCode BodyListRaise(BodyList *list)

@@ -10,9 +10,9 @@
 #include "base/compat.h"
 #include "base/warning.h"
 #include "kernel/vector.h"
-#include "mesh/insidebody.h"
+#include "side/insidebody.h"
 #include "mesh/meshimpl.h"
-#include "mesh/sideshape.h"
+#include "side/sideshape.h"
 
 /* An interference above this part of the smallest extent of a body exceeds small strains. */
 static const PetscReal FIT = 0.1;

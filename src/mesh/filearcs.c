@@ -4,12 +4,12 @@
    On finer levels contact pressures follow these angles. So where the file's middle nodes lie on the curves
    of the normals, refinement follows these curves. Elsewhere it follows the file's parabolas, which know more
    than the normals do. */
-#include "mesh/normalerrors.h"
+#include "side/normalerrors.h"
 #include "base/compat.h"
 #include "kernel/arc.h"
 #include "kernel/vector.h"
 #include "mesh/filearcs.h"
-#include "mesh/sidesums.h"
+#include "side/sidesums.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 

@@ -4,7 +4,7 @@
 #define MORTISE_FILEARCS_H
 
 #include "mesh/meshimpl.h"
-#include "mesh/sideshape.h"
+#include "side/sideshape.h"
 
 /* The point of a facet, by two of its edges; of a line the line itself. Not collective. */
 PetscErrorCode FacetGetPoint(const Level *level, const PetscInt edges[], PetscInt *facet);

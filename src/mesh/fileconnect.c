@@ -2,7 +2,7 @@
 
    Facets of cells, and facets of a file in a group, are sent to the rank that is responsible for their lowest
    point. Facets with the same corners are matched there. */
-#include "mesh/exchange.h"
+#include "level/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* filelists.c -- sends cells to their ranks, and makes the lists of bodies there. */
-#include "mesh/exchange.h"
+#include "level/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 

@@ -3,7 +3,7 @@
    PT-Scotch or ParMETIS, whichever PETSc has. PT-Scotch takes one weight for a cell: contact is not balanced
    separately, as by METIS. Parts have no correction for nodes between them. */
 #define _GNU_SOURCE // RTLD_DEFAULT
-#include "mesh/exchange.h"
+#include "level/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <dlfcn.h>

@@ -267,18 +267,6 @@ static PetscErrorCode LevelSetInner_Private(MeshForest forest, Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared)
-{
-  PetscInt begin, end;
-
-  PetscFunctionBeginUser;
-  PetscCall(PointsMarkShared(level->dm, shared));
-  PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
-  for (PetscInt f = begin; f < end && level->inner; f++)
-    (*shared)[f] = (PetscBool)((*shared)[f] || level->inner[f - begin]);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* The distance to where a hanging node was. [in] x - where it was [dim]; [out] rise - [dim] */
 static void LevelGetRise_Private(const Level *level, PetscInt node, const PetscReal x[], PetscReal rise[])
 {
@@ -505,11 +493,6 @@ static PetscErrorCode LevelSetHanging_Private(Level *level)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscBool LevelNodeHangs(const Level *level, PetscInt node)
-{
-  return (PetscBool)(level->hanging.start && level->hanging.start[node + 1] > level->hanging.start[node]);
-}
-
 PetscErrorCode MeshForestSetHanging(MeshForest forest, Level *level)
 {
   const PetscInt most = ElementNumNodes(level->dim == 2 ? ELEMENT_LINE3 : ELEMENT_QUAD9);
@@ -543,37 +526,5 @@ PetscErrorCode MeshForestSetHanging(MeshForest forest, Level *level)
   } else {
     PetscCall(MatDestroy(&S));
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* v := S v or S'v */
-static PetscErrorCode LevelMultiply_Private(Level *level, PetscInt bs, PetscBool transpose, Vec v)
-{
-  Mat S;
-  Vec product;
-
-  PetscFunctionBeginUser;
-  if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatCreateMAIJ(level->conforming, bs, &S));
-  PetscCall(VecDuplicate(v, &product));
-  PetscCall(transpose ? MatMultTranspose(S, v, product) : MatMult(S, v, product));
-  PetscCall(VecCopy(product, v));
-  PetscCall(LevelShareVec(v, INSERT_VALUES));
-  PetscCall(VecDestroy(&product));
-  PetscCall(MatDestroy(&S));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode LevelConform(Level *level, PetscInt bs, Vec v)
-{
-  PetscFunctionBeginUser;
-  PetscCall(LevelMultiply_Private(level, bs, PETSC_FALSE, v));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode LevelConformForces(Level *level, PetscInt bs, Vec v)
-{
-  PetscFunctionBeginUser;
-  PetscCall(LevelMultiply_Private(level, bs, PETSC_TRUE, v));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -7,6 +7,9 @@
 
 #include "mesh/mesh.h"
 #include "gmsh/gmsh.h"
+#include "level/facets.h"
+#include "level/leveltables.h"
+#include "level/plexpoints.h"
 
 enum { MESH_SENTENCE = 1024 }; /* length of the sentence of a user error */
 
@@ -55,10 +58,6 @@ PetscReal BodyListGetMeasure(const BodyList *list, PetscInt cell, PetscInt order
 void CellSetMiddles(PetscInt cell, PetscInt num, BodyList *list);
 /* The same positions of nodes that are there. */
 void CellPlaceMiddles(PetscInt cell, PetscInt num, BodyList *list);
-/* The number of the facet of a cell that has exactly these vertices, or -1.
-   [in] cell, facet - node numbers */
-PetscInt CellFindFacet(ElementType type, const PetscInt cell[], const PetscInt facet[]);
-
 /* The bricks of a box that a rank makes, by their numbers in the box, x first. */
 typedef struct {
   PetscInt  num_bricks, num_nodes;
@@ -185,52 +184,6 @@ PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
 PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good);
 
-/* Vertices of a point of the mesh: a vertex itself, the ends of an edge, the corners of a facet or a cell.
-   [out] vertices -
-   [ELEMENT_MAX_NODES] */
-PetscErrorCode PointGetVertices(DM dm, PetscInt point, PetscInt *num, PetscInt vertices[]);
-/* Whether order 2 has a node in the middle of an edge, a facet or a cell. */
-PetscErrorCode PointHasMiddle(DM dm, PetscInt point, PetscBool *has);
-/* The points with the middle nodes of an element of order 2: edges, quads of a hexahedron, the point itself.
-   [in] vertices - in the order of the element, which may differ from that of PointGetVertices();
-   [out] middles - [ELEMENT_MAX_NODES] */
-PetscErrorCode PointGetMiddles(DM dm, PetscInt point, const PetscInt vertices[], PetscInt *num, PetscInt middles[]);
-/* The facet of a cell that has exactly these vertices, in any order. */
-PetscErrorCode PointFindFacet(DM dm, PetscInt point, PetscInt num, const PetscInt vertices[], PetscInt *facet);
-/* The local node on a point, -1 where there is none. */
-PetscInt PointGetNode(const Level *level, PetscInt point);
-/* The element on an edge, a facet or a cell, in the order of element.h, though perhaps inside out.
-   [out] nodes - local [ELEMENT_MAX_NODES] */
-PetscErrorCode PointGetNodes(const Level *level, PetscInt point, ElementType *type, PetscInt nodes[]);
-/* The point of the mesh of each local node, -1 where it is on other ranks alone. [out] point - [num_nodes],
-   owned by the caller, PetscFree() */
-PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
-/* Which points of the DM other ranks have as well: facets between ranks are no boundary. Collective. [out]
-   shared - [end of the chart], freed by the caller */
-PetscErrorCode PointsMarkShared(DM dm, PetscBool **shared);
-/* The same, and facets beside hanging nodes. */
-PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared);
-/* Vertices of a cell, which are the first of its nodes. */
-PetscInt LevelNumVertices(const Level *level, PetscInt cell);
-
-/* Length of a facet, or area, as its vertices span it: exact where it is flat. [out] normal - outward unit
-   normal in its middle [dim], may be NULL */
-PetscReal FacetGetMeasure(const Level *level, const Facets *facets, PetscInt f, PetscReal normal[]);
-
-/* The highest order of any body. */
-PetscInt SceneMaxOrder(Scene scene);
-/* Tables of one DM in its order of cells, with nodes up to an order, without positions. Collective. */
-PetscErrorCode LevelCreateTables(Scene scene, DM dm, PetscInt max_order, Level *level);
-/* The same on the cells of a level that has its tables. [in] scene - may have other orders of bodies */
-PetscErrorCode LevelCreateOnCells(Scene scene, const Level *level, Level *other);
-/* Parts of LevelCreateTables(): cell_material and cell_body, from the label; */
-PetscErrorCode LevelSetCellMaterials(Level *level);
-/* or, for a refined level, from where its cells come from; [in] refinement - from coarse to fine */
-PetscErrorCode LevelFollowCellMaterials(const Level *coarse, const Refinement *refinement, Level *fine);
-/* cell_start, cell_type, cell_nodes from the present point_node; */
-PetscErrorCode LevelSetCells(Level *level);
-/* nodes: number, owner, body, local section of the DM, and cells by LevelSetCells(). Collective. */
-PetscErrorCode LevelSetNodes(Level *level, PetscInt max_order);
 /* Moves nodes that are on the axis of an axisymmetric scene up to roundoff exactly there. User errors: a node
    with a negative radius. Collective. */
 PetscErrorCode LevelSetAxis(Level *level);
@@ -240,8 +193,6 @@ PetscErrorCode LevelSetAxis(Level *level);
 PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
 /* Sets the positions before maps of a level that does not have them yet. */
 PetscErrorCode LevelKeepUnmapped(Level *level);
-/* A copy of the level with its nodes before maps; arrays are borrowed. */
-Level LevelBeforeMap(const Level *level);
 /* Finds the smooth sides on the coarsest level, and moves its middle nodes to their curves. Collective. */
 PetscErrorCode LevelBeginArcs(Level *level);
 
@@ -281,12 +232,6 @@ enum { ARC_SUMS = 15 };
 void      ArcSumsAddOffset(PetscInt dim, const PetscReal offset[], PetscScalar sums[]);
 void      ArcSumsAddPlane(PetscInt dim, const PetscReal normal[], PetscScalar sums[]);
 PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
-/* Allocates facets; collects all facets of first order, with outward normals for any orientation of their
-   cells. */
-PetscErrorCode FacetsAllocate(PetscInt num, Facets *facets);
-/* Appends facets. Not collective. [in,out] more - destroyed; facets - owned by the caller */
-PetscErrorCode FacetsAppend(Facets *more, Facets *facets);
-void           FacetsTurnOut(const Level *level, Facets *facets);
 /* The points of the edges of a facet. Not collective.
    [in] point - of each node; [out] edges - in the order of ElementEdgeNodes() */
 PetscErrorCode FacetGetEdges(const Level *level, const PetscInt point[], const Facets *facets, PetscInt f,
@@ -297,16 +242,12 @@ PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Lev
 /* The same for a refined level that has its prolongation. Collective.
    [in] sides - smooth sides of bodies of order 1 */
 PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine);
-/* Orients all cells anticlockwise, or solids so that facets are anticlockwise from outside. User errors: a
-   degenerate or tangled cell, a map that folds a body. Collective.
-   [out] sound - false in place of a user error, the same on all ranks; optional, may be NULL */
-PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound);
-/* Reverses the orientation of a cell with these nodes: its mirror image in the plane xi_0 = xi_1. */
-void CellReverse(ElementType type, PetscInt nodes[]);
+/* The cells' materials and bodies of a refined level, from where they come.
+   [in] refinement - from coarse to fine */
+PetscErrorCode LevelFollowCellMaterials(const Level *coarse, const Refinement *refinement, Level *fine);
 /* Splits every cell: tables, prolongation and positions, cells not reversed. Collective.
    [in] sides - smooth ones of bodies of order 1 */
 PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
-PetscErrorCode LevelDestroy(Level *level);
 /* fine->prolongation, by the origin of each fine node. Collective. [in] refinement - from coarse to fine */
 PetscErrorCode LevelCreateProlongation(const Level *coarse, const Refinement *refinement, Level *fine);
 

@@ -10,7 +10,7 @@
    choice, unless that closes a cycle with earlier decisions. If neither choice is possible, the last free
    decision is taken back. The result depends on this order alone. */
 #include "mesh/meshimpl.h"
-#include "mesh/sidemeasure.h"
+#include "side/sidemeasure.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 #include <string.h>

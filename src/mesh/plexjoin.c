@@ -3,7 +3,7 @@
    Vertices, edges and facets on the boundary of a part are sent to the rank that is responsible for their
    lowest vertex. Of those with the same vertices that of the highest rank is the owner.
    (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of solids.) */
-#include "mesh/exchange.h"
+#include "level/exchange.h"
 #include "mesh/fileparts.h"
 #include "base/compat.h"
 #include <petscbt.h>

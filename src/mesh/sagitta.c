@@ -4,7 +4,7 @@
 #include "kernel/arc.h"
 #include "kernel/vector.h"
 #include "mesh/meshimpl.h"
-#include "mesh/sideshape.h"
+#include "side/sideshape.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, CURVE_DEGREE = 6 };
 

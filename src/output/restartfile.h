@@ -2,7 +2,7 @@
 #ifndef MORTISE_RESTARTFILE_H
 #define MORTISE_RESTARTFILE_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* Displacement of the last solved step, and the times of all of them. Points are found by place and body,
    since the order of nodes depends on the number of ranks. User errors: a file that cannot be read, is of

@@ -2,7 +2,7 @@
 #include "base/compat.h"
 #include "base/warning.h"
 #include "kernel/vector.h"
-#include "mesh/sidemeasure.h"
+#include "side/sidemeasure.h"
 #include "output/numberwords.h"
 #include "output/setupwarnings.h"
 

@@ -8,7 +8,7 @@
    the order of the cells; their owner adds them in the order of the ranks. */
 #include "problem/cellsums.h"
 #include "base/compat.h"
-#include "mesh/exchange.h"
+#include "level/exchange.h"
 
 enum { N = ELEMENT_MAX_NODES, MOST_CARRIED = 9 /* nodes that one hangs on: those of a quad9 */ };
 

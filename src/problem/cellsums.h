@@ -2,7 +2,7 @@
 #ifndef MORTISE_CELLSUMS_H
 #define MORTISE_CELLSUMS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 #include "problem/stiffness.h"
 
 /* Zeros, with places for ConformingHold(). Not collective.

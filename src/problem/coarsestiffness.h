@@ -2,7 +2,7 @@
 #ifndef MORTISE_COARSESTIFFNESS_H
 #define MORTISE_COARSESTIFFNESS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* Collective.
    [in] K - of the finer level (stiffness.h); [in] P - prolongation of displacements; [in] nodal - of node

@@ -3,7 +3,7 @@
 #define MORTISE_ELASTICITY_H
 
 #include "kernel/dilatation.h"
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* C at a point (Hooke tensor, thickness not included) and Poisson's ratio (NAN where there is none).
    Not collective; expressions are checked by ElasticityAssemble().

@@ -2,7 +2,7 @@
 #ifndef MORTISE_LOADS_H
 #define MORTISE_LOADS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* f_i = int phi_i b + int_side phi_i t - int_side phi_i p nu + int B_i' C eps_0, times the thickness.
    Collective. [in,out] f - ghosted, shared */

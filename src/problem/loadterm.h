@@ -3,7 +3,7 @@
 #define MORTISE_LOADTERM_H
 
 #include "kernel/cubature.h"
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 typedef struct {
   Scene            scene;

@@ -2,7 +2,7 @@
 #ifndef MORTISE_LOSTLOAD_H
 #define MORTISE_LOSTLOAD_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* Warns of each load on a side whose displacement is given in the direction of the load. This part goes into
    the support and moves nothing. The warning has side, direction and lost force. No work where no side is

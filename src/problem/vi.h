@@ -10,6 +10,7 @@
 #define MORTISE_VI_H
 
 #include "contact/pair.h"
+#include "mesh/mesh.h"
 #include "support/rigidmodes.h"
 #include "pdas/friction.h"
 

@@ -2,7 +2,7 @@
 #ifndef MORTISE_CELLSTRESS_H
 #define MORTISE_CELLSTRESS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 #include "kernel/dilatation.h"
 
 enum { CELL_STRESSES = 6, CELL_MAX_DIM = 3 };

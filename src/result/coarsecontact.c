@@ -14,7 +14,7 @@
 #include "result/contactpatches.h"
 #include "result/pairsum.h"
 #include "result/sidecorners.h"
-#include "mesh/sidemeasure.h"
+#include "side/sidemeasure.h"
 
 /* Patches of at most so many nodes across are coarse. */
 static const PetscReal FEW = 3.25;

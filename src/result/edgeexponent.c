@@ -6,7 +6,7 @@
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "kernel/wedge.h"
-#include "mesh/sidemeasure.h"
+#include "side/sidemeasure.h"
 #include "result/sidecorners.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, DIM = 2 };

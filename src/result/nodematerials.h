@@ -2,7 +2,7 @@
 #ifndef MORTISE_NODEMATERIALS_H
 #define MORTISE_NODEMATERIALS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 typedef struct {
   PetscInt  most;     /* materials at one node of any rank; 1 where no body has regions */

@@ -2,7 +2,7 @@
 #ifndef MORTISE_SIDECORNERS_H
 #define MORTISE_SIDECORNERS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* A vector at each vertex of a side that is 0 where facets surround the vertex. At the boundary of the side
    it leads in space from the first to the last neighbour on the boundary; in a plane it is 1 or -1.

@@ -2,7 +2,7 @@
 #ifndef MORTISE_SIDENODES_H
 #define MORTISE_SIDENODES_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* The nodes of a set of facets that this rank owns, ascending. Those of all ranks, one rank behind the other,
    then ascend by their global numbers. The rank that holds a facet need not own its nodes. Collective.

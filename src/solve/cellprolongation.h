@@ -3,7 +3,7 @@
 #ifndef MORTISE_CELLPROLONGATION_H
 #define MORTISE_CELLPROLONGATION_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 /* Moves fine nodes inside of coarse cells with mean dilatation to where they have the least energy:
 

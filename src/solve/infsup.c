@@ -13,7 +13,7 @@
 #include <petscblaslapack.h>
 #include "base/compat.h"
 #include "base/warning.h"
-#include "mesh/sidemeasure.h"
+#include "side/sidemeasure.h"
 #include "pdas/factorization.h"
 #include "solve/infsup.h"
 

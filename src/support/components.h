@@ -5,7 +5,7 @@
 #ifndef MORTISE_COMPONENTS_H
 #define MORTISE_COMPONENTS_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 enum {
   COMPONENT_BOX = 6

@@ -6,7 +6,7 @@
 #ifndef MORTISE_SUPPORT_H
 #define MORTISE_SUPPORT_H
 
-#include "mesh/mesh.h"
+#include "level/level.h"
 
 enum {
   BOUNDARY_NONE = -1, /* free */

@@ -1,7 +1,7 @@
 /* test_normalerrors.c -- errors of normals at nodes and on the next level, by hand: the largest of the facets around, times
    their size, too, and means between vertices. */
 #include "solid_scene.h"
-#include "mesh/normalerrors.h"
+#include "side/normalerrors.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, FIELDS = LEVEL_NORMAL_ERRORS };
 

@@ -3,7 +3,7 @@
 #include "solid_scene.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
-#include "mesh/sideshape.h"
+#include "side/sideshape.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, CHAMFER = 0, NARROW, FILLET, NUM_KINDS };
 
