@@ -63,21 +63,13 @@ PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], c
   return any;
 }
 
-void ArcRise(ElementType type, const PetscReal bulge[], const PetscReal xi[], PetscReal rise[])
-{
-  const ElementType curved = ElementOfOrder(type, 2);
-  const PetscInt    dim = ElementDim(type) + 1, num = ElementNumNodes(curved);
-  PetscReal         phi[ELEMENT_MAX_NODES];
-
-  ElementShape(curved, xi, phi, NULL);
-  for (PetscInt k = 0; k < dim; k++) rise[k] = 0;
-  for (PetscInt i = 0; i < num * dim; i++) rise[i % dim] += phi[i / dim] * bulge[i];
-}
-
 PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[])
 {
-  PetscReal rise[3];
+  const ElementType curved = ElementOfOrder(type, 2);
+  const PetscInt    dim    = ElementDim(type) + 1;
+  PetscReal         phi[ELEMENT_MAX_NODES], height = 0;
 
-  ArcRise(type, bulge, xi, rise);
-  return VectorDot(ElementDim(type) + 1, rise, n);
+  ElementShape(curved, xi, phi, NULL);
+  for (PetscInt i = 0; i < ElementNumNodes(curved); i++) height += phi[i] * VectorDot(dim, &bulge[i * dim], n);
+  return height;
 }

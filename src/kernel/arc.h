@@ -22,11 +22,8 @@ void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const P
 PetscBool ArcBulge(ElementType type, const PetscReal X[], const PetscReal N[], const PetscBool smooth[],
                    PetscReal bulge[]);
 
-/* This offset at xi. Not collective.
-   [in] type - of first order; bulge - also at vertices; [out] rise - [dim] */
-void ArcRise(ElementType type, const PetscReal bulge[], const PetscReal xi[], PetscReal rise[]);
-
-/* The same along a direction. Not collective. [in] n - [dim] */
+/* This offset at xi, along a direction. Not collective.
+   [in] type - of first order; bulge - also at vertices; [in] n - [dim] */
 PetscReal ArcHeight(ElementType type, const PetscReal bulge[], const PetscReal xi[], const PetscReal n[]);
 
 #endif
