@@ -133,7 +133,8 @@ PetscErrorCode ValidityWarn(Fields fields)
   if (v->worst < VALIDITY_AMBER) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt k = 1; k < VALIDITY_COUNT; k++) {
     if (v->indicator[k].colour == VALIDITY_UNKNOWN) continue;
-    if (v->indicator[k].value / KINDS[k].red > v->indicator[leading].value / KINDS[leading].red) leading = k;
+    if (v->indicator[k].value / KINDS[k].red > (1 - LIMIT_ROUNDING) * v->indicator[leading].value / KINDS[leading].red)
+      leading = k;
   }
   for (PetscInt k = 0; k < VALIDITY_COUNT; k++) others += k != leading && v->indicator[k].colour >= VALIDITY_AMBER;
   first = &v->indicator[leading];

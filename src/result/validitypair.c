@@ -15,6 +15,8 @@ static const PetscReal SQUARE_PART = 0.25;
 static const PetscReal RIM_PART = 0.5;
 /* A scale below this part of the displacements is rounding. */
 static const PetscReal SCALE_ROUNDING = 1e-6;
+/* A slip of two facets is no limit on a patch that is wider than this number of them: the patch is. */
+static const PetscReal WIDE_PATCH = 20;
 /* Displacements are halved so many times to find the partner that a node has slid off. */
 enum { MAX_HALVES = 6 };
 
@@ -185,10 +187,8 @@ PetscErrorCode ValidityPairMeasure(Fields fields, PetscInt p, PetscReal strain, 
 {
   const Pair     pair = fields->vi->pairs[p];
   const PetscInt dim  = pair->level->dim;
-  /* adaptive facets are as small as the error wants them, below any slip */
-  const PetscBool adaptive = fields->vi->scene->adapt.on;
-  ContactPatches  patches;
-  PairState       state;
+  ContactPatches patches;
+  PairState      state;
 
   PetscFunctionBeginUser;
   PetscCall(ContactPatchesCreate(fields, p, &patches));
@@ -205,8 +205,8 @@ PetscErrorCode ValidityPairMeasure(Fields fields, PetscInt p, PetscReal strain, 
     if (!PetscIsNanReal(state.error[a]) && state.scale > 0)
       LargestTake(&largest[VALIDITY_GAP], PetscAbsReal(state.error[a]) / state.scale, dim, x, p);
     if (state.patch[a] < 0) continue;
-    if (!adaptive) LargestTake(&largest[VALIDITY_SLIP_CELL], slip / state.size[a], dim, x, p);
     width = PetscMax(patches.patch[state.patch[a]].width, state.size[a]); // a node alone has no extent
+    LargestTake(&largest[VALIDITY_SLIP_CELL], slip / PetscMax(state.size[a], width / WIDE_PATCH), dim, x, p);
     LargestTake(&largest[VALIDITY_SLIP_CONTACT], slip / width, dim, x, p);
     if (!ScenePairHasFriction(pair->spec)) *sliding += state.force[a] * slip;
   }

@@ -78,6 +78,8 @@ def judge(run):
     finer = run.again("-load_steps", "1", "-dm_refine", "2", warns=[], name="finer").summary["validity"]["indicators"]
     for name in ("strain", "rotation"):  # maxima would grow at the corners, by a quarter with each refinement
         near(f"{name} on the finer mesh", finer[name]["value"], EXPECTED[name][0], relative=0.2)
+    near("slip on the finer mesh", finer["slip_contact"]["value"], indicators["slip_contact"]["value"], relative=0.1)
+    near("slip over a twentieth of the patch, which has 42 facets", finer["slip_cell"]["value"], 20 * finer["slip_contact"]["value"], relative=1e-9)
     fine = run.again("-load_steps", "1", "-order", "2", warns=[], name="order").summary["validity"]["indicators"]
     near("slip over a cell, order 2", fine["slip_cell"]["value"], EXPECTED["slip_cell"][0], relative=0.2)
     if run.ranks == 1:
