@@ -14,8 +14,7 @@
      plane: two plates, 68000 unknowns 0.8 and 0.4, 190000 2.4 and 1.1; gears, 98000 1.5 and 0.9; hertz2d,
    50000 0.6 and 0.6, 198000 2.7 and 2.2; adaptive meshes, 29000 0.3 and 0.3, 79000 0.9 and 0.4;
      space, spherical gap: order 1, 22000 unknowns 0.9 and 1.0, 32000 1.5 and 1.3; order 2, 25000 1.6 and 2.2,
-   35000 2.9
-     and 2.7; sphere on block, 32000 unknowns 2.9 and 4.5. */
+   35000 2.9 and 2.7; sphere on block, 32000 unknowns 2.9 and 4.5. */
 enum { MESH_LEVELS_2D = 60000, MESH_LEVELS_3D = 36000 };
 
 /* Largest number of levels of an adaptive mesh. */
