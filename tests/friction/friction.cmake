@@ -97,6 +97,7 @@ mortise_scene_test(sprung SCENE locked CHECK sprung.py RANKS 1 ARGS -flank_frict
 mortise_scene_test(hard OWN_RUNS SCENE incline CHECK hard.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(third_solver CHECK third_solver.py)
 mortise_scene_test(third_solver_solid CHECK third_solver.py)
+mortise_scene_test(history OWN_RUNS CHECK history.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(one_node OWN_RUNS SCENE incline CHECK one_node.py)
 mortise_scene_test(held CHECK held.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(pushed CHECK pushed.py RANKS 1 LONG_RANKS 3)
