@@ -28,7 +28,7 @@ build() {
   local folder=$1
   shift
   echo "building $folder"
-  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON $faster -DCMAKE_EXE_LINKER_FLAGS="$linker $starting" "$@"
+  quietly cmake -S . -B "$folder" -DMORTISE_WERROR=ON $faster -DCMAKE_EXE_LINKER_FLAGS="$linker $starting" ${starting:+-DMORTISE_ORDER_LIBRARIES=OFF} "$@"
   quietly cmake --build "$folder" -j "$jobs"
 }
 
