@@ -312,13 +312,16 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
 }
 
 /* Whether some cell is of second order, and whether cells may be long in whole lines. Tetrahedra of a mesh
-   generator are long in single places only. */
-static PetscErrorCode MeshLevelsInspectCells_Private(const Level *level, PetscInt meshes, PetscBool *higher,
-                                                     PetscBool *lines)
+   generator are long in single places only; those of boxes, and parts of hexahedra, follow maps. */
+static PetscErrorCode MeshLevelsInspectCells_Private(VI coarsest, PetscInt meshes, PetscBool *higher, PetscBool *lines)
 {
-  PetscBool any[2] = {PETSC_FALSE, (PetscBool)(meshes > 1)};
+  const Level *level  = coarsest->level;
+  const Scene  scene  = coarsest->scene;
+  PetscBool    any[2] = {PETSC_FALSE, (PetscBool)(meshes > 1)};
 
   PetscFunctionBeginUser;
+  for (PetscInt b = 0; b < scene->num_bodies; b++)
+    any[1] = (PetscBool)(any[1] || !scene->bodies[b].mesh_file || MeshIsCut(coarsest->mesh, b));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type = (ElementType)level->cell_type[c];
 
@@ -437,7 +440,7 @@ static PetscErrorCode MeshLevelsSetUp_Private(MeshLevels levels, const Inequalit
     PetscCall(
         MeshLevelsCreateProlongation_Private(levels->vi[l - 1], vi, &input.op[l - 1], &input.P[l], &levels->lift[l]));
   }
-  PetscCall(MeshLevelsInspectCells_Private(levels->vi[0]->level, num, &higher, &input.lines));
+  PetscCall(MeshLevelsInspectCells_Private(levels->vi[0], num, &higher, &input.lines));
   if (input.below && higher) PetscCall(MeshLevelsCreateTable_Private(levels->vi[0]->level, &input.table));
   PetscCall(HierarchyCreate(&input, &levels->hierarchy));
   PetscCall(MeshLevelsRestrictProducts_Private(levels, 1));

@@ -71,6 +71,7 @@ mortise_scene_test(hard OWN_RUNS SCENE touching CHECK hard.py ONLY_RANKS "its sc
 
 # --- iterations ---
 mortise_scene_test(long_cells OWN_RUNS SCENE hertz3d CHECK long_cells.py LABELS mpi ARGS -order 1 -dm_refine 1 -pc_type truncatedmg)
+mortise_scene_test(long_tetrahedra OWN_RUNS SCENE hertz3d CHECK long_tetrahedra.py)
 mortise_scene_test(tight LONG OWN_RUNS   SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
   -upper_dm_plex_box_faces 16,16 -lower_dm_plex_box_faces 12,12)
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
