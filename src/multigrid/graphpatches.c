@@ -9,8 +9,8 @@
    a cell: the common neighbours of two nodes that share one cell only, which are all neighbours of each
    other.
 
-   A node of a mortar side moves nodes of the nonmortar side, which changes the volume of cells there. These
-   nodes join its patches, so that their motion can compensate the change. */
+   A node of a mortar side moves nodes of the nonmortar side, which changes the volume of cells there. Nodes
+   that can compensate the change join its patches (patchlinks.c). */
 #include "base/compat.h"
 #include "multigrid/graphpatches.h"
 

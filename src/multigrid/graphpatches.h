@@ -18,8 +18,7 @@ typedef struct {
    then ghosts, 1 or 0 [n + num]; [out] patches - to be destroyed by the caller */
 PetscErrorCode GraphPatchesCreate(RankRows *rows, PetscInt bs, GhostExchange *ghosts, const PetscReal marked[],
                                   GraphPatches *patches);
-/* Adds to every patch the nodes that its nodes move by T. Not collective.
-   [in] links - nodes (rows) and those that they move (columns) */
+/* Adds to every patch the nodes that its nodes are linked to. Not collective. [in] links - of patchlinks.h */
 PetscErrorCode GraphPatchesExtend(const GhostExchange *ghosts, RankRows *links, GraphPatches *patches);
 PetscErrorCode GraphPatchesDestroy(GraphPatches *patches);
 

@@ -15,6 +15,7 @@
 #include "multigrid/eigenvalue.h"
 #include "multigrid/graphpatches.h"
 #include "multigrid/patchinverse.h"
+#include "multigrid/patchlinks.h"
 #include "multigrid/patchsmoother.h"
 
 /* Data of all shells of one level. */
@@ -335,50 +336,6 @@ static PetscErrorCode PatchSmootherBalance_Private(const Operator *op, Patches *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Other nodes that own nodes depend on by T. [out] sources - row for row; AIJ, owned by the caller */
-static PetscErrorCode PatchesCreateSources_Private(const Operator *op, PetscInt n, Mat *sources)
-{
-  const PetscInt dim = op->dim;
-  PetscInt      *start, *column = NULL, begin, max = 0;
-  PetscScalar   *ones;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(n + 1, &start));
-  PetscCall(MatGetOwnershipRange(op->T, &begin, NULL));
-  start[0] = 0;
-  for (PetscInt i = 0; i < n; i++) {
-    start[i + 1] = start[i];
-    for (PetscInt k = 0; k < dim; k++) {
-      PetscInt        num;
-      const PetscInt *columns;
-
-      PetscCall(MatGetRow(op->T, begin + dim * i + k, &num, &columns, NULL));
-      if (start[i + 1] + num > max) {
-        max = 2 * (start[i + 1] + num);
-        PetscCall(PetscRealloc((size_t)max * sizeof(PetscInt), &column));
-      }
-      for (PetscInt j = 0; j < num; j++)
-        if (columns[j] / dim != begin / dim + i) column[start[i + 1]++] = columns[j] / dim;
-      PetscCall(MatRestoreRow(op->T, begin + dim * i + k, &num, &columns, NULL));
-    }
-    max = PetscMax(max, start[i + 1]);
-    start[i + 1] -= start[i];
-    if (start[i + 1]) PetscCall(PetscSortRemoveDupsInt(&start[i + 1], &column[start[i]]));
-    start[i + 1] += start[i];
-  }
-  PetscCall(PetscMalloc1(start[n], &ones));
-  for (PetscInt j = 0; j < start[n]; j++) ones[j] = 1;
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->T), sources));
-  PetscCall(MatSetSizes(*sources, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*sources, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*sources, start, column, ones)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*sources, start, column, ones));
-  PetscCall(PetscFree(start));
-  PetscCall(PetscFree(column));
-  PetscCall(PetscFree(ones));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Marks nodes that have marked ones in their rows. [in,out] marked - own nodes, then ghosts */
 static PetscErrorCode PatchesSpreadMarks_Private(GhostExchange *nodes, RankRows *rows, PetscReal marked[])
 {
@@ -471,15 +428,13 @@ static PetscErrorCode PatchesSort_Private(const Operator *op, Patches *shared)
 static PetscErrorCode PatchesFind_Private(const Operator *op, Patches *shared)
 {
   GhostExchange near, far;
-  Mat           sources, links = NULL;
+  Mat           links = NULL;
   RankRows      rows;
 
   PetscFunctionBeginUser;
   PetscCall(GhostExchangeCreate(op->K, op->dim, &near));
   if (op->T) {
-    PetscCall(PatchesCreateSources_Private(op, near.n, &sources));
-    PetscCall(MatTranspose(sources, MAT_INITIAL_MATRIX, &links));
-    PetscCall(MatDestroy(&sources));
+    PetscCall(PatchLinksCreate(op, near.n, &links));
     PetscCall(GhostExchangeCreate(links, 1, &far));
   }
   PetscCall(GhostExchangeCreateUnion(&near, op->T ? &far : &near, 1, &shared->nodes));
