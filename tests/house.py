@@ -224,6 +224,9 @@ def check_warnings(top):
     used = {code: path.relative_to(top) for path in sources(top) for code in re.findall(r'\.code\s*=\s*"(\w+)"', path.read_text()) if path.name != "warning.h"}
     yield from (f"{file} warns of {code}, which the table of options/GUIDE.md does not have" for code, file in sorted(used.items()) if code not in listed)
     yield from (f"the table of options/GUIDE.md has {code}, which nothing warns of" for code in sorted(listed - set(used)))
+    accepted = set(re.findall(r'"(\w+)"', (top / "src/base/warning.c").read_text().split(" CODES[] = {")[1].split("};")[0]))
+    yield from (f"-warnings_accept refuses {code}, which is not among CODES of src/base/warning.c" for code in sorted(set(used) - accepted))
+    yield from (f"CODES of src/base/warning.c have {code}, which nothing warns of" for code in sorted(accepted - set(used)))
     yield from (f"{code} is not in snake_case" for code in sorted(used) if not re.fullmatch(r"[a-z]+(_[a-z]+)*", code))
 
 
