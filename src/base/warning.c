@@ -14,14 +14,14 @@ static const char ACCEPTED[] = "accepted";
 
 /* All codes, as the table of options/GUIDE.md has them. */
 static const char *const CODES[] = {
-    "coarse_contact",    "coarse_curve",  "coarse_file",        "coarse_mesh",     "decimal_comma",
-    "edge_pressure",     "far_motion",    "free_motion",        "gap_jump",        "held_friction",
-    "hidden_contact",    "hinged_parts",  "idle_gap",           "inf_sup_unknown", "large_friction",
-    "loaded_contact",    "lost_traction", "marginal",           "mixed_units",     "model_limit",
-    "no_load",           "no_partner",    "not_confirmed",      "not_monotone",    "not_unique",
-    "nothing_to_decide", "open_contact",  "overlapping_bodies", "repeated_option", "rough_load",
-    "skipped_run",       "slow_solver",   "solver_replaced",    "tied_gap",        "unbalanced_loads",
-    "unjoined_pieces",   "unused_option",
+    "coarse_contact",    "coarse_curve",    "coarse_file",        "coarse_mesh",     "decimal_comma",
+    "edge_pressure",     "far_motion",      "free_motion",        "gap_jump",        "held_friction",
+    "hidden_contact",    "hinged_parts",    "idle_gap",           "inf_sup_unknown", "large_friction",
+    "loaded_contact",    "lost_traction",   "marginal",           "mixed_units",     "model_limit",
+    "no_load",           "no_partner",      "not_confirmed",      "not_monotone",    "not_unique",
+    "nothing_to_decide", "open_contact",    "overlapping_bodies", "repeated_option", "rough_load",
+    "skipped_run",       "slow_solver",     "solver_replaced",    "tied_gap",        "unbalanced_loads",
+    "uneven_pressure",   "unjoined_pieces", "unused_option",
 };
 
 /* On the first rank only, except for the flags. */

@@ -1,4 +1,5 @@
 /* resultwarnings.c -- warnings about a result. */
+#include <string.h>
 #include "base/compat.h"
 #include "output/summary.h"
 #include "base/warning.h"
@@ -10,6 +11,7 @@
 #include "result/pairsum.h"
 #include "result/sideerrors.h"
 #include "result/solvabilityreport.h"
+#include "result/unevenpressure.h"
 #include "result/validity.h"
 #include "output/numberwords.h"
 #include "output/setupwarnings.h"
@@ -120,6 +122,32 @@ static PetscErrorCode SummaryWarnEdgePressure_Private(const SummaryInput *in, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Warns of a largest pressure that follows the facets of the mortar side. Collective.
+   [out] told - whether it does */
+static PetscErrorCode SummaryWarnUnevenPressure_Private(const SummaryInput *in, PetscInt p, PetscBool *told)
+{
+  const ScenePair *spec   = in->vi->pairs[p]->spec;
+  Warning          uneven = {.code = "uneven_pressure", .pair = spec->name, .dim = in->scene->dim};
+  char             at[128], advice[256];
+  UnevenPressure   found;
+
+  PetscFunctionBeginUser;
+  PetscCall(UnevenPressureFind(in->fields, p, &found));
+  *told = found.shows;
+  if (!found.shows) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscArraycpy(uneven.at, found.at, 3));
+  PetscCall(NumberWordsVector(uneven.dim, uneven.at, at, sizeof(at)));
+  (void)snprintf(advice, sizeof(advice), "exchange nonmortar and mortar side, or refine %s:%s",
+                 in->scene->bodies[spec->mortar.body].name, spec->mortar.side);
+  uneven.advice = advice;
+  PetscCall(
+      WarningAdd(&uneven,
+                 "the largest pressure of %s, %.4g near %s, is %.3g times the mean around it: facets of the softer "
+                 "mortar side are %.2g times as long, and the pressure follows them",
+                 spec->name, (double)found.largest, at, (double)(found.largest / found.mean), (double)found.ratio));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Warns of contact a few facets wide. Collective.
    [out] told - whether there is such; [out] round - whether its sides are smooth: then the gap jumps or bends
    only because facets are large */
@@ -145,7 +173,8 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   PetscCall(PetscArraycpy(coarse.at, found.at, 3));
   PetscCall(NumberWordsVector(coarse.dim, coarse.at, text, sizeof(text)));
   coarse.advice = advice;
-  (void)snprintf(facets, sizeof(facets), "%.3g facet%s", (double)found.facets, found.facets == 1 ? "" : "s");
+  (void)snprintf(facets, sizeof(facets), "%.3g facet", (double)found.facets);
+  if (strcmp(facets, "1 facet")) (void)strncat(facets, "s", sizeof(facets) - strlen(facets) - 1);
   if (jumps) {
     (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s", (double)found.size, text);
     PetscCall(WarningAdd(&coarse,
@@ -491,16 +520,20 @@ static PetscErrorCode SummaryWarnIdle_Private(const SummaryInput *in, PetscBool 
 
 PetscErrorCode SummaryWarn(const SummaryInput *input)
 {
-  PetscBool coarse = PETSC_FALSE, round = PETSC_FALSE, hidden;
+  PetscBool hidden;
 
   PetscFunctionBeginUser;
   PetscCall(SolvabilityReportWarn(input->vi, input->solvability));
   PetscCall(SetupWarningsAdd(input->vi, input->solvability, input->fields));
   for (PetscInt p = 0; p < input->vi->num_pairs; p++) {
+    PetscBool uneven = PETSC_FALSE, coarse = PETSC_FALSE, round = PETSC_FALSE;
+
     PetscCall(SummaryWarnEmptyPair_Private(input, p));
     PetscCall(SummaryWarnLoadedSide_Private(input, p));
     PetscCall(SummaryWarnTiedGap_Private(input, p));
-    if (input->fields) PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse, &round));
+    if (input->fields) PetscCall(SummaryWarnUnevenPressure_Private(input, p, &uneven));
+    if (input->fields && !uneven) // that breaks a patch into small ones
+      PetscCall(SummaryWarnCoarseContact_Private(input, p, &coarse, &round));
     if (input->fields && !coarse) PetscCall(SummaryWarnEdgePressure_Private(input, p)); // the same advice
     if (input->fields && !round)
       PetscCall(SummaryWarnGapDiscontinuity_Private(input, p)); // a gap bends within few facets

@@ -30,8 +30,6 @@ static const PetscReal BEYOND_PART = 0.1;
 /* Largest exponent e of a pressure r^-e at an edge that does not matter. Ten halvings of the cells raise the
    pressure by less than a tenth, 2^(10 e) < 1.1. */
 static const PetscReal EXPONENT_SHOWS = 0.01375;
-/* The vector of SideCornersGetEnds() that counts as zero, relative to the length of edges. */
-static const PetscReal CLOSED = 1e-6;
 /* Largest roundoff of a force, relative to the stiffness times the displacements: the force of bodies without
    contact. */
 static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
@@ -78,7 +76,7 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
     along += PetscRealPart(way[k]) * narrow[k];
   }
   length = PetscSqrtReal(length);
-  if (length <= CLOSED * (dim == 2 ? 1 : patch->facet_size)) return;
+  if (!SideCornersIsEnd(dim, way, patch->facet_size)) return;
   if (dim == 3 && PetscAbsReal(along) > ACROSS * length) return; // the side goes on across the patch
   for (PetscInt j = 0; j < support->count[node]; j++) {
     const PetscReal *d = &support->directions[(node * dim + j) * dim];

@@ -6,6 +6,9 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
+/* The vector of SideCornersGetEnds() that counts as zero, relative to the length of edges. */
+static const PetscReal CLOSED = 1e-6;
+
 PetscErrorCode SideCornersGetEnds(Level *level, const Facets *facets, Vec *ways)
 {
   const PetscInt dim = level->dim;
@@ -31,6 +34,14 @@ PetscErrorCode SideCornersGetEnds(Level *level, const Facets *facets, Vec *ways)
   PetscCall(VecGhostRestoreLocalForm(*ways, &local));
   PetscCall(LevelShareVec(*ways, ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscBool SideCornersIsEnd(PetscInt dim, const PetscScalar way[], PetscReal size)
+{
+  PetscReal square = 0;
+
+  for (PetscInt k = 0; k < dim; k++) square += PetscSqr(PetscRealPart(way[k]));
+  return (PetscBool)(PetscSqrtReal(square) > CLOSED * (dim == 2 ? 1 : size));
 }
 
 /* Angle of a cell at a vertex, in space half its solid angle. The sum over the cells at a vertex of a

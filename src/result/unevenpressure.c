@@ -1,0 +1,167 @@
+/* unevenpressure.c -- pressures that follow the facets of a coarser and softer mortar side.
+
+   Multipliers are stable if the nonmortar side can follow them. A stiff nonmortar side does not bend between
+   the nodes of a soft partner with larger facets. It touches that at a few nodes, with pressures that are too
+   high. */
+#include "result/unevenpressure.h"
+#include "base/compat.h"
+#include "contact/pairpoints.h"
+#include "kernel/vector.h"
+#include "mesh/sidemeasure.h"
+#include "result/largest.h"
+#include "result/pairsum.h"
+#include "result/sidecorners.h"
+
+/* A pressure shows that exceeds the mean around it by this part. Under a paraboloid three facets wide it does
+   so by a sixth. */
+static const PetscReal UNEVEN = 0.25;
+
+enum { F = ELEMENT_MAX_FACET_NODES };
+/* Of each node: force and area of its row. */
+enum { ROW_FORCE, ROW_AREA, NUM_ROW };
+/* Sums over the facets around each node: force and area of rows, the area that is covered, and that times the
+   lengths of the facets of both sides. */
+enum { FORCE, AREA, COVERED, MORTAR, NONMORTAR, NUM_SUMS };
+
+/* Forces and areas of the rows of pair p. Collective. [out] rows - ghosted [NUM_ROW], owned by the caller */
+static PetscErrorCode UnevenPressureCreateRows_Private(Fields fields, PetscInt p, Vec *rows)
+{
+  const VI           vi = fields->vi;
+  const PetscScalar *lambda;
+  PetscScalar       *row;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(vi->level, NUM_ROW, rows));
+  PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+  PetscCall(VecGetArray(*rows, &row));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    PetscScalar *of;
+
+    if (vi->row_pair[r] != p || vi->row_direction[r] != 0) continue;
+    of           = &row[vi->pairs[p]->nodes[vi->row_node[r]] * NUM_ROW];
+    of[ROW_AREA] = fields->row_weight[r];
+    if (StatusIsContact(fields->row_status[r])) of[ROW_FORCE] = fields->row_weight[r] * lambda[r];
+  }
+  PetscCall(VecRestoreArray(*rows, &row));
+  PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+  PetscCall(LevelShareVec(*rows, INSERT_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The sums of one facet.
+   [in] row - at local nodes; [in,out] at - its first point, then that of the next facet;
+   [out] of - [NUM_SUMS] */
+static void UnevenPressureSumFacet_Private(const Level *level, const PairPoints points, PetscInt f,
+                                           const PetscScalar row[], PetscInt *at, PetscReal of[])
+{
+  const PetscInt *nodes = &points->facets.nodes[f * F], num = ElementNumNodes(points->facets.type[f]);
+  PetscReal       X[3 * F], length;
+
+  VectorGather(level->dim, num, nodes, level->coords, X);
+  length = ElementLongestEdge(ElementLinear(points->facets.type[f]), level->dim, X);
+  for (PetscInt k = 0; k < NUM_SUMS; k++) of[k] = 0;
+  for (PetscInt i = 0; i < num; i++) {
+    of[FORCE] += PetscRealPart(row[nodes[i] * NUM_ROW + ROW_FORCE]);
+    of[AREA] += PetscRealPart(row[nodes[i] * NUM_ROW + ROW_AREA]);
+  }
+  for (; *at < points->num && points->point[*at].facet == f; ++*at) {
+    const PairPoint *point = &points->point[*at];
+
+    of[COVERED] += point->weight;
+    of[MORTAR] += point->weight * points->size[point->mortar];
+    of[NONMORTAR] += point->weight * length;
+  }
+}
+
+/* Adds up the facets around each node. Collective.
+   [in] rows - of all nodes; [out] sums - [NUM_SUMS] per node, owned by the caller */
+static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p, Vec rows, Vec *sums)
+{
+  Level             *level  = fields->vi->level;
+  const PairPoints   points = fields->vi->pairs[p]->points;
+  const PetscScalar *row;
+  PetscScalar       *sum;
+  PetscInt           at = 0;
+  Vec                local[2];
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, NUM_SUMS, sums));
+  PetscCall(VecGhostGetLocalForm(rows, &local[0]));
+  PetscCall(VecGhostGetLocalForm(*sums, &local[1]));
+  PetscCall(VecGetArrayRead(local[0], &row));
+  PetscCall(VecGetArray(local[1], &sum));
+  for (PetscInt f = 0; f < points->facets.num; f++) {
+    const PetscInt *nodes = &points->facets.nodes[f * F];
+    PetscReal       of[NUM_SUMS];
+
+    UnevenPressureSumFacet_Private(level, points, f, row, &at, of);
+    for (PetscInt i = 0; i < ElementNumNodes(points->facets.type[f]); i++)
+      for (PetscInt k = 0; k < NUM_SUMS; k++) sum[nodes[i] * NUM_SUMS + k] += of[k];
+  }
+  PetscCall(VecRestoreArray(local[1], &sum));
+  PetscCall(VecRestoreArrayRead(local[0], &row));
+  PetscCall(VecGhostRestoreLocalForm(*sums, &local[1]));
+  PetscCall(VecGhostRestoreLocalForm(rows, &local[0]));
+  PetscCall(LevelShareVec(*sums, ADD_VALUES));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether a side or its partner ends at node a of the pair.
+   [in] way - of SideCornersGetEnds(); [in] size - of facets */
+static PetscBool UnevenPressureIsEdge_Private(const VI vi, const Pair pair, PetscInt a, const PetscScalar way[],
+                                              PetscReal size)
+{
+  const PetscBool held = (PetscBool)(vi->support.count[pair->nodes[a]] > 0); // as on a plane of symmetry
+
+  return (PetscBool)(PairSumEndsPartner(pair, a) || (!held && SideCornersIsEnd(vi->level->dim, way, size)));
+}
+
+PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found)
+{
+  const VI           vi   = fields->vi;
+  const Pair         pair = vi->pairs[p];
+  const PetscInt     dim  = vi->level->dim;
+  const PetscScalar *sum, *way;
+  PetscReal          around[2] = {0, 0}; /* mean, ratio */
+  SideMeasure        side[2];
+  PairSum            pressed;
+  Vec                rows, sums, ways;
+
+  PetscFunctionBeginUser;
+  *found = (UnevenPressure){.shows = PETSC_FALSE};
+  if (pair->spec->type != PAIR_CONTACT || pair->spec->mortar.body < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PairSumCompute(fields, p, &pressed));
+  if (!pressed.active) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SideMeasureCompute(vi->scene, vi->level, &pair->spec->nonmortar, &side[0]));
+  PetscCall(SideMeasureCompute(vi->scene, vi->level, &pair->spec->mortar, &side[1]));
+  if (side[0].modulus <= side[1].modulus) PetscFunctionReturn(PETSC_SUCCESS);
+  found->largest = pressed.max_pressure;
+  PetscCall(PetscArraycpy(found->at, pressed.max_pressure_at, 3));
+  PetscCall(UnevenPressureCreateRows_Private(fields, p, &rows));
+  PetscCall(UnevenPressureCreateSums_Private(fields, p, rows, &sums));
+  PetscCall(SideCornersGetEnds(vi->level, &pair->points->facets, &ways));
+  PetscCall(VecGetArrayRead(sums, &sum));
+  PetscCall(VecGetArrayRead(ways, &way));
+  for (PetscInt a = 0; a < pair->num; a++) {
+    const PetscInt     node = pair->nodes[a];
+    const PetscScalar *of   = &sum[node * NUM_SUMS];
+    PetscBool          same = PETSC_TRUE;
+
+    for (PetscInt k = 0; k < dim; k++) same = (PetscBool)(same && vi->level->coords[node * dim + k] == found->at[k]);
+    if (!same || !(PetscRealPart(of[COVERED]) > 0)) continue;
+    if (UnevenPressureIsEdge_Private(vi, pair, a, &way[node * dim], PetscRealPart(of[NONMORTAR] / of[COVERED])))
+      continue;
+    around[0] = PetscRealPart(of[FORCE] / of[AREA]);
+    around[1] = PetscRealPart(of[MORTAR] / of[NONMORTAR]);
+  }
+  PetscCall(VecRestoreArrayRead(ways, &way));
+  PetscCall(VecRestoreArrayRead(sums, &sum));
+  PetscCall(VecDestroy(&ways));
+  PetscCall(VecDestroy(&sums));
+  PetscCall(VecDestroy(&rows));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, around, 2, MPIU_REAL, MPI_MAX, vi->level->comm));
+  found->mean  = around[0];
+  found->ratio = around[1];
+  found->shows = (PetscBool)(found->ratio > 1 && found->largest > (1 + UNEVEN) * found->mean);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
