@@ -7,10 +7,10 @@
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
-#include "mesh/sidemeasure.h"
 #include "result/largest.h"
 #include "result/pairsum.h"
 #include "result/sidecorners.h"
+#include "side/sidemeasure.h"
 
 /* A pressure shows that exceeds the mean around it by this part. Under a paraboloid three facets wide it does
    so by a sixth. */
@@ -18,6 +18,10 @@ static const PetscReal UNEVEN = 0.25;
 /* The nonmortar side is stiffer by this factor of contact moduli at least. At 3, the largest pressure of a
    ball in a cup of facets twice as long is 1.24 times the mean (order 1), at 10 1.45 times. */
 static const PetscReal STIFFNESS_RATIO = 3;
+
+/* A side ends on a plane of symmetry alone where the vector of SideCornersGetEnds() is in this plane, but for
+   this part of the length of a facet. */
+static const PetscReal ALONG = 0.1;
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 /* Of each node: force and area of its row. */
@@ -114,9 +118,14 @@ static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p
 static PetscBool UnevenPressureIsEdge_Private(const VI vi, const Pair pair, PetscInt a, const PetscScalar way[],
                                               PetscReal size)
 {
-  const PetscBool held = (PetscBool)(vi->support.count[pair->nodes[a]] > 0); // as on a plane of symmetry
+  const PetscInt   dim = vi->level->dim, node = pair->nodes[a], count = vi->support.count[node];
+  const PetscReal *d      = &vi->support.directions[node * dim * dim];
+  PetscReal        across = 0;
 
-  return (PetscBool)(PairSumEndsPartner(pair, a) || (!held && SideCornersIsEnd(vi->level->dim, way, size)));
+  if (PairSumEndsPartner(pair, a)) return PETSC_TRUE;
+  if (!SideCornersIsEnd(dim, way, size) || count >= dim - 1) return PETSC_FALSE; // planes of symmetry meet there
+  for (PetscInt k = 0; k < dim && count; k++) across += d[k] * PetscRealPart(way[k]);
+  return (PetscBool)(!count || PetscAbsReal(across) > ALONG * size); // an edge of the body may end on such a plane
 }
 
 PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found)
