@@ -19,10 +19,6 @@ static const PetscReal UNEVEN = 0.25;
    ball in a cup of facets twice as long is 1.24 times the mean (order 1), at 10 1.45 times. */
 static const PetscReal STIFFNESS_RATIO = 3;
 
-/* A side ends on a plane of symmetry alone where the vector of SideCornersGetEnds() is in this plane, but for
-   this part of the length of a facet. */
-static const PetscReal ALONG = 0.1;
-
 enum { F = ELEMENT_MAX_FACET_NODES };
 /* Of each node: force and area of its row. */
 enum { ROW_FORCE, ROW_AREA, NUM_ROW };
@@ -113,21 +109,6 @@ static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a side or its partner ends at node a of the pair.
-   [in] way - of SideCornersGetEnds(); [in] size - of facets */
-static PetscBool UnevenPressureIsEdge_Private(const VI vi, const Pair pair, PetscInt a, const PetscScalar way[],
-                                              PetscReal size)
-{
-  const PetscInt   dim = vi->level->dim, node = pair->nodes[a], count = vi->support.count[node];
-  const PetscReal *d      = &vi->support.directions[node * dim * dim];
-  PetscReal        across = 0;
-
-  if (PairSumEndsPartner(pair, a)) return PETSC_TRUE;
-  if (!SideCornersIsEnd(dim, way, size) || count >= dim - 1) return PETSC_FALSE; // planes of symmetry meet there
-  for (PetscInt k = 0; k < dim && count; k++) across += d[k] * PetscRealPart(way[k]);
-  return (PetscBool)(!count || PetscAbsReal(across) > ALONG * size); // an edge of the body may end on such a plane
-}
-
 PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found)
 {
   const VI           vi   = fields->vi;
@@ -161,8 +142,8 @@ PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *fou
 
     for (PetscInt k = 0; k < dim; k++) same = (PetscBool)(same && vi->level->coords[node * dim + k] == found->at[k]);
     if (!same || !(PetscRealPart(of[COVERED]) > 0)) continue;
-    if (UnevenPressureIsEdge_Private(vi, pair, a, &way[node * dim], PetscRealPart(of[NONMORTAR] / of[COVERED])))
-      continue;
+    if (PairSumEndsPartner(pair, a)) continue;
+    if (SideCornersIsEnd(dim, &way[node * dim], PetscRealPart(of[NONMORTAR] / of[COVERED]))) continue;
     around[0] = PetscRealPart(of[FORCE] / of[AREA]);
     around[1] = PetscRealPart(of[MORTAR] / of[NONMORTAR]);
   }
