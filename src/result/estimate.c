@@ -104,22 +104,22 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* This rank's part. */
-static void EstimateSetAged_Private(const Level *level, Estimate e)
+/* This rank's part. [in] surplus - [num_cells] */
+static void EstimateSetAged_Private(const Level *level, const PetscReal surplus[], Estimate e)
 {
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt age = level->cell_age ? level->cell_age[c] : 0;
 
-    if (age != NOT_BISECTED) e->aged[age] += e->cell[c];
+    if (age != NOT_BISECTED) e->aged[age] += e->cell[c] - surplus[c];
   }
 }
 
 /* All but norm and potential. [in] frozen - or NULL */
 static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen *frozen, Estimate *estimate)
 {
-  const Level   *level = fields->vi->level;
-  const PetscInt num   = level->scene->num_bodies;
-  PetscReal      sums[4];
+  const Level   *level   = fields->vi->level;
+  const PetscInt num     = level->scene->num_bodies;
+  PetscReal      sums[5] = {0}, *surplus;
   Compliance     compliance;
   Estimate       e;
 
@@ -127,12 +127,13 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCall(PetscNew(&e));
   PetscCall(PetscCalloc5(level->num_cells, &e->cell, level->num_cells, &e->volume, num, &e->body, fields->vi->num_pairs,
                          &e->hidden, MESH_MAX_ADAPTED, &e->aged));
+  PetscCall(PetscCalloc1(level->num_cells, &surplus));
   PetscCall(ComplianceCreate(level->scene, &compliance));
   PetscCall(EstimateAddCells_Private(fields, &compliance, e));
-  PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, &e->signs, e->hidden));
+  PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, surplus, &e->signs, e->hidden));
   PetscCall(LargestReduce(level->comm, level->dim, fields->vi->num_pairs, e->hidden));
   if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->supports));
-  EstimateSetAged_Private(level, e);
+  EstimateSetAged_Private(level, surplus, e);
   if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
   PetscCall(ComplianceDestroy(&compliance));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];
@@ -142,11 +143,14 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   sums[1] = e->geometry;
   sums[2] = e->lost;
   sums[3] = e->supports;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPIU_REAL, MPI_SUM, level->comm));
+  for (PetscInt c = 0; c < level->num_cells; c++) sums[4] += surplus[c];
+  PetscCall(PetscFree(surplus));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPIU_REAL, MPI_SUM, level->comm));
   e->lost     = sums[2];
   e->supports = sums[3];
   e->signs    = sums[0] + e->lost + e->supports;
   e->geometry = sums[1];
+  e->squared  = -sums[4];
   for (PetscInt b = 0; b < num; b++) e->squared += e->body[b];
   *estimate = e;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -9,12 +9,14 @@
    (eq. 15.3), and the oscillation of formulas in space (OscillationAdd()), and the energy between facets and
    their curves (GeometryAdd()). s* is the recovered stress, s that of the displacement. The second term is
    over both sides of each pair. d is the penetration, or the least of opening and lambda h / (pi E*).
-   The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. */
+   The squares of a pair belong to the cell behind the facet; those of the gap to the nonmortar one. Cells are
+   marked with lambda in the second term, and eta^2 has the traction nearest to both sides' in its place: a
+   pressure that alternates from node to node costs no energy, and is to be refined nevertheless. */
 struct _n_Estimate {
-  PetscReal *cell;     /* eta^2 of this rank's cells [num_cells] */
+  PetscReal *cell;     /* eta_T^2 of this rank's cells, with lambda [num_cells] */
   PetscReal *volume;   /* of this rank's cells, with the thickness or the ring [num_cells] */
   PetscReal *body;     /* sums over the cells of each body, the same on all ranks [num_bodies] */
-  PetscReal  squared;  /* their sum */
+  PetscReal  squared;  /* eta^2: their sum, less what lambda adds to it */
   PetscReal  geometry; /* the part of GeometryAdd(): it needs no calibration */
   PetscReal *aged;     /* parts of the rest: cells of each Level.cell_age; the same on all ranks [MESH_MAX_ADAPTED] */
   PetscReal  signs;    /* L = -2 int lambda . d - 2 int W s + supports + lost:  2 (J_h - J) = |e|^2 + L */

@@ -160,15 +160,33 @@ static void PointStateSet_Private(const Level *level, PairPoints points, const P
   if (values->X_m) PairPointTakeArm(points, level, point, values->X_m, values->u_m, state->jump);
 }
 
-/* |s n + traction|^2. */
-static PetscReal EstimateGetTractionError_Private(PetscInt dim, const PetscReal stress[CELL_STRESSES],
-                                                  const PetscReal n[], const PetscReal traction[])
-{
-  PetscReal t[CELL_MAX_DIM], sum = 0;
+/* Squares of traction errors at a point, of both sides. */
+typedef struct {
+  PetscReal part[2];    /* (2/pi) (h/E') |s* n + lambda|^2 */
+  PetscReal surplus[2]; /* how much of it the best common traction in place of lambda does not leave */
+} TractionErrors;
 
-  CellStressTraction(dim, stress, n, t);
-  for (PetscInt i = 0; i < dim; i++) sum += PetscSqr(t[i] + traction[i]);
-  return sum;
+/* [in] weight - (2/pi) (h/E') of both sides, 0 for that of an obstacle;
+   [in] all - whether the pair transmits all of the traction, or the normal part */
+static void EstimateGetTractionErrors_Private(PetscInt dim, const PointState *state, const PetscReal weight[2],
+                                              PetscBool all, TractionErrors *errors)
+{
+  PetscReal error[2][CELL_MAX_DIM], jump = 0;
+
+  for (PetscInt i = 0; i < 2; i++) {
+    PetscReal normal;
+
+    CellStressTraction(dim, state->stress[i], state->normal, error[i]);
+    for (PetscInt k = 0; k < dim; k++) error[i][k] += state->traction[k];
+    errors->part[i] = weight[i] * VectorDot(dim, error[i], error[i]);
+    normal          = VectorDot(dim, error[i], state->normal);
+    for (PetscInt k = 0; k < dim && !all; k++) error[i][k] = normal * state->normal[k];
+    errors->surplus[i] = state->pushed ? weight[i] * VectorDot(dim, error[i], error[i]) : 0;
+  }
+  if (!state->pushed) return;
+  for (PetscInt k = 0; k < dim; k++) jump += PetscSqr(error[0][k] - error[1][k]);
+  for (PetscInt i = 0; i < 2; i++)
+    errors->surplus[i] -= weight[i] * jump * PetscSqr(weight[1 - i] / (weight[0] + weight[1]));
 }
 
 /* Where the parts of pairs go. */
@@ -176,6 +194,7 @@ typedef struct {
   Compliance           *compliance; /* borrowed */
   PetscInt              first;      /* cell of this rank, counted over all ranks */
   Vec                   squares;    /* eta_T^2 of all cells */
+  Vec                   surplus;    /* what of it is no part of eta^2 */
   PetscReal             signs;      /* L of this rank */
   const EstimateFrozen *frozen;     /* or NULL */
   Largest              *hidden;     /* of each pair, on this rank; NULL with a frozen set [num_pairs] */
@@ -237,31 +256,34 @@ static PetscErrorCode EstimateGetSlip_Private(const Fields fields, PetscInt p, c
 static PetscErrorCode EstimateAddPoint_Private(Fields fields, PetscInt p, const PairPoint *point, PetscReal size,
                                                const PointState *state, PairSums *sums)
 {
-  const Level    *level  = fields->vi->level;
-  const Pair      pair   = fields->vi->pairs[p];
-  const PetscReal weight = point->weight * level->scene->thickness;
-  PetscReal       E[2], squared, slip = 0;
+  const Level     *level  = fields->vi->level;
+  const Pair       pair   = fields->vi->pairs[p];
+  const PairPoints points = pair->points;
+  const PetscReal  weight = point->weight * level->scene->thickness;
+  const PetscInt   cell   = sums->first + points->facets.cell[point->facet];
+  const PetscBool  all    = (PetscBool)(pair->spec->type == PAIR_TIED || ScenePairHasFriction(pair->spec));
+  PetscReal        E[2], w[2] = {0, 0}, slip = 0;
+  TractionErrors   errors;
 
   PetscFunctionBeginUser;
-  PetscCall(ComplianceModulus(sums->compliance, level->cell_material[pair->points->facets.cell[point->facet]], state->x,
+  PetscCall(ComplianceModulus(sums->compliance, level->cell_material[points->facets.cell[point->facet]], state->x,
                               state->normal, &E[0]));
-  squared = weight * 2 / PETSC_PI * size / E[0] *
-            EstimateGetTractionError_Private(level->dim, state->stress[0], state->normal, state->traction);
+  w[0] = weight * 2 / PETSC_PI * size / E[0];
   if (point->mortar >= 0) {
-    const PairPoints points = pair->points;
-
     PetscCall(ComplianceModulus(sums->compliance, points->material[point->mortar], state->x, state->normal, &E[1]));
-    PetscCall(
-        VecSetValue(sums->squares, points->cell[point->mortar],
-                    weight * 2 / PETSC_PI * points->size[point->mortar] / E[1] *
-                        EstimateGetTractionError_Private(level->dim, state->stress[1], state->normal, state->traction),
-                    ADD_VALUES));
+    w[1] = weight * 2 / PETSC_PI * points->size[point->mortar] / E[1];
     E[0] = 1 / (1 / E[0] + 1 / E[1]);
+  }
+  EstimateGetTractionErrors_Private(level->dim, state, w, all, &errors);
+  if (point->mortar >= 0) {
+    PetscCall(VecSetValue(sums->squares, points->cell[point->mortar], errors.part[1], ADD_VALUES));
+    PetscCall(VecSetValue(sums->surplus, points->cell[point->mortar], errors.surplus[1], ADD_VALUES));
   }
   E[0] *= PETSC_PI / size;
   if (!sums->frozen) PetscCall(EstimateGetSlip_Private(fields, p, state, E[0], &slip));
-  squared += weight * E[0] * (slip + EstimateGetGap_Private(fields, p, point, state, E[0], sums));
-  PetscCall(VecSetValue(sums->squares, sums->first + pair->points->facets.cell[point->facet], squared, ADD_VALUES));
+  errors.part[0] += weight * E[0] * (slip + EstimateGetGap_Private(fields, p, point, state, E[0], sums));
+  PetscCall(VecSetValue(sums->squares, cell, errors.part[0], ADD_VALUES));
+  PetscCall(VecSetValue(sums->surplus, cell, errors.surplus[0], ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -391,23 +413,34 @@ static PetscErrorCode EstimateAddPair_Private(Fields fields, PetscInt p, PairSum
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode EstimatePairsAdd(Fields fields, const EstimateFrozen *frozen, Compliance *compliance, PetscReal cell[],
-                                PetscReal *signs, Largest hidden[])
+/* Adds this rank's part of a vector of cells, which is destroyed. Collective. [in,out] cell - [num_cells] */
+static PetscErrorCode PairSumsTake_Private(Vec *squares, PetscInt num_cells, PetscReal cell[])
 {
-  const Level       *level = fields->vi->level;
-  PairSums           sums  = {.compliance = compliance, .frozen = frozen, .hidden = frozen ? NULL : hidden};
   const PetscScalar *square;
 
   PetscFunctionBeginUser;
+  PetscCall(VecAssemblyBegin(*squares));
+  PetscCall(VecAssemblyEnd(*squares));
+  PetscCall(VecGetArrayRead(*squares, &square));
+  for (PetscInt c = 0; c < num_cells; c++) cell[c] += PetscRealPart(square[c]);
+  PetscCall(VecRestoreArrayRead(*squares, &square));
+  PetscCall(VecDestroy(squares));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode EstimatePairsAdd(Fields fields, const EstimateFrozen *frozen, Compliance *compliance, PetscReal cell[],
+                                PetscReal surplus[], PetscReal *signs, Largest hidden[])
+{
+  const Level *level = fields->vi->level;
+  PairSums     sums  = {.compliance = compliance, .frozen = frozen, .hidden = frozen ? NULL : hidden};
+
+  PetscFunctionBeginUser;
   PetscCall(VecCreateMPI(level->comm, level->num_cells, PETSC_DETERMINE, &sums.squares));
+  PetscCall(VecDuplicate(sums.squares, &sums.surplus));
   PetscCall(VecGetOwnershipRange(sums.squares, &sums.first, NULL));
   for (PetscInt p = 0; p < fields->vi->num_pairs; p++) PetscCall(EstimateAddPair_Private(fields, p, &sums));
-  PetscCall(VecAssemblyBegin(sums.squares));
-  PetscCall(VecAssemblyEnd(sums.squares));
-  PetscCall(VecGetArrayRead(sums.squares, &square));
-  for (PetscInt c = 0; c < level->num_cells; c++) cell[c] += PetscRealPart(square[c]);
-  PetscCall(VecRestoreArrayRead(sums.squares, &square));
-  PetscCall(VecDestroy(&sums.squares));
+  PetscCall(PairSumsTake_Private(&sums.squares, level->num_cells, cell));
+  PetscCall(PairSumsTake_Private(&sums.surplus, level->num_cells, surplus));
   *signs = sums.signs;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

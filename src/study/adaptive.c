@@ -133,8 +133,8 @@ static PetscErrorCode AdaptiveMark_Private(Adaptive adaptive, Run run)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(EstimateGet(run->fields, &estimate));
-  PetscCall(MarkingCreate(MeshFinest(adaptive->mesh), estimate, scene->adapt.marking, AdaptiveIsMet(adaptive),
-                          &adaptive->marked, &adaptive->growth));
+  PetscCall(MarkingCreate(MeshFinest(adaptive->mesh), estimate->cell, estimate->norm, scene->adapt.marking,
+                          AdaptiveIsMet(adaptive), &adaptive->marked, &adaptive->growth));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -113,11 +113,5 @@ PetscErrorCode EnvelopeReturn(Envelope *envelope, PetscInt *meshes)
 PetscErrorCode EnvelopeMark(const Envelope *envelope, const Level *level, PetscReal share, PetscInt **marked,
                             PetscReal *growth)
 {
-  struct _n_Estimate sum = {.cell = envelope->cell, .norm = 1};
-
-  PetscFunctionBeginUser;
-  for (PetscInt c = 0; c < level->num_cells; c++) sum.squared += sum.cell[c];
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum.squared, 1, MPIU_REAL, MPI_SUM, level->comm));
-  PetscCall(MarkingCreate(level, &sum, share, PETSC_FALSE, marked, growth));
-  PetscFunctionReturn(PETSC_SUCCESS);
+  return MarkingCreate(level, envelope->cell, 1, share, PETSC_FALSE, marked, growth);
 }

@@ -106,26 +106,24 @@ PetscBool GoalsAreMet(Scene scene, const GoalState states[])
 PetscErrorCode GoalsMark(Run run, PetscBool energy, const GoalState states[], const PetscReal indicators[],
                          PetscInt **marked, PetscReal *growth)
 {
-  const Scene        scene = run->scene;
-  const PetscInt     cells = run->vi->level->num_cells;
-  const PetscBool    all   = (PetscBool)(!energy && GoalsAreMet(scene, states));
-  struct _n_Estimate sum   = {.squared = 0};
-  Estimate           primal;
+  const Scene     scene = run->scene;
+  const PetscInt  cells = run->vi->level->num_cells;
+  const PetscBool all   = (PetscBool)(!energy && GoalsAreMet(scene, states));
+  Estimate        primal;
+  PetscReal      *sum;
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGet(run->fields, &primal));
-  sum.norm = primal->norm / primal->squared; // in the scale of the parts below
-  PetscCall(PetscCalloc1(cells, &sum.cell));
+  PetscCall(PetscCalloc1(cells, &sum));
   for (PetscInt c = 0; c < cells; c++) {
-    if (energy) sum.cell[c] = primal->cell[c] / primal->squared;
+    if (energy) sum[c] = primal->cell[c] / primal->squared;
     for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
-      if (all || !GoalIsMet(scene, &states[g])) sum.cell[c] += indicators[g * cells + c];
+      if (all || !GoalIsMet(scene, &states[g])) sum[c] += indicators[g * cells + c];
     }
-    sum.squared += sum.cell[c];
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &sum.squared, 1, MPIU_REAL, MPI_SUM, scene->comm));
-  PetscCall(MarkingCreate(run->vi->level, &sum, scene->adapt.marking, all, marked, growth));
-  PetscCall(PetscFree(sum.cell));
+  PetscCall(
+      MarkingCreate(run->vi->level, sum, primal->norm / primal->squared, scene->adapt.marking, all, marked, growth));
+  PetscCall(PetscFree(sum));
   for (PetscInt g = 0; g < scene->adapt.num_goals; g++) {
     const GoalState *state = &states[g];
     const PetscReal  limit = scene->adapt.goal_tolerance * PetscAbsReal(state->value);

@@ -45,16 +45,17 @@ typedef struct {
 } Histogram;
 
 /* Collective. [in] largest - value of a cell on any process */
-static PetscErrorCode MarkingCount_Private(const Level *level, Estimate estimate, PetscReal largest, Histogram *all)
+static PetscErrorCode MarkingCount_Private(const Level *level, const PetscReal cell[], PetscReal largest,
+                                           Histogram *all)
 {
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(all, 1));
   all->dim  = level->dim;
   all->step = (level->dim + OCTAVES_LEFT) * BINS_OF_OCTAVE;
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    Bin *bin = &all->bins[MarkingGetBin_Private(largest, estimate->cell[c])];
+    Bin *bin = &all->bins[MarkingGetBin_Private(largest, cell[c])];
 
-    bin->squared += estimate->cell[c];
+    bin->squared += cell[c];
     bin->cells++;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, all->bins, 2 * (NUM_BINS + 1), MPIU_REAL, MPI_SUM, level->comm));
@@ -104,29 +105,30 @@ static PetscErrorCode MarkingGetClosure_Private(const Level *level, PetscReal *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscBool least, PetscInt **marked,
-                             PetscReal *growth)
+PetscErrorCode MarkingCreate(const Level *level, const PetscReal cell[], PetscReal norm, PetscReal share,
+                             PetscBool least, PetscInt **marked, PetscReal *growth)
 {
-  const PetscInt most    = estimate->squared > LARGE_ERROR * estimate->norm ? 1 : MAX_HALVINGS;
-  PetscReal      largest = 0, closure    = 0, before, enough;
-  PetscInt       last[MAX_HALVINGS], num = 0;
-  Histogram     *all;
+  PetscReal  largest = 0, closure    = 0, squared, before, enough;
+  PetscInt   last[MAX_HALVINGS], num = 0, most;
+  Histogram *all;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->num_cells, marked));
   PetscCall(PetscMalloc1(1, &all));
-  for (PetscInt c = 0; c < level->num_cells; c++) largest = PetscMax(largest, estimate->cell[c]);
+  for (PetscInt c = 0; c < level->num_cells; c++) largest = PetscMax(largest, cell[c]);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPIU_MAX, level->comm));
-  PetscCall(MarkingCount_Private(level, estimate, largest, all));
+  PetscCall(MarkingCount_Private(level, cell, largest, all));
   PetscCall(MarkingGetClosure_Private(level, &closure));
+  squared     = all->squared;
+  most        = squared > LARGE_ERROR * norm ? 1 : MAX_HALVINGS;
   before      = all->cells;
   enough      = before * (1 + GROWTH_OF_SHARE * share / closure);
   last[num++] = MarkingHalve_Private(all, share, PETSC_INFINITY);
   if (least) enough = LEAST_GROWTH * before;
-  if (estimate->squared > MEDIUM_ERROR * estimate->norm && all->cells >= LEAST_GROWTH * before) enough = 0;
+  if (squared > MEDIUM_ERROR * norm && all->cells >= LEAST_GROWTH * before) enough = 0;
   while (num < most && all->cells < enough) last[num++] = MarkingHalve_Private(all, share, enough);
   for (PetscInt c = 0; c < level->num_cells; c++) {
-    PetscInt bin = MarkingGetBin_Private(largest, estimate->cell[c]);
+    PetscInt bin = MarkingGetBin_Private(largest, cell[c]);
 
     (*marked)[c] = 0;
     for (PetscInt i = 0; i < num; i++) {

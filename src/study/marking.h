@@ -10,11 +10,11 @@
    quarter of their eta_T^2: a cell may get up to four marks. Cells whose values differ by less than one per
    cent are marked together. So symmetric scenes stay symmetric, and marks do not depend on the number of
    ranks. Collective.
-   [in] estimate - of the level;
+   [in] cell - eta_T^2 [num_cells]; [in] norm - |u|_a^2, in the same scale;
    [in] least - whether cells are marked again for the least growth alone;
    [out] marked - how often edges are to be halved [num_cells], owned by the caller;
    [out] growth - expected, of the number of cells; NULL if not wanted */
-PetscErrorCode MarkingCreate(const Level *level, Estimate estimate, PetscReal share, PetscBool least, PetscInt **marked,
-                             PetscReal *growth);
+PetscErrorCode MarkingCreate(const Level *level, const PetscReal cell[], PetscReal norm, PetscReal share,
+                             PetscBool least, PetscInt **marked, PetscReal *growth);
 
 #endif

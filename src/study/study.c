@@ -101,7 +101,8 @@ static PetscErrorCode StudyMark_Private(Study study, PetscInt o, Run run)
   PetscCall(PetscFree(study->marked[o]));
   if (run->fields) {
     PetscCall(EstimateGet(run->fields, &estimate));
-    PetscCall(MarkingCreate(level, estimate, study->scene->adapt.marking, PETSC_FALSE, &study->marked[o], NULL));
+    PetscCall(MarkingCreate(level, estimate->cell, estimate->norm, study->scene->adapt.marking, PETSC_FALSE,
+                            &study->marked[o], NULL));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(PetscMalloc1(level->num_cells, &study->marked[o]));

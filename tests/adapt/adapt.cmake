@@ -112,6 +112,8 @@ mortise_scene_test(press_fit CHECK press_fit.py OWN_RUNS RANKS 1 LONG_RANKS 3 AR
 mortise_scene_test(edges SCENE r4b CHECK edges.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 0.5)
 mortise_scene_test(logarithm SCENE two_plates CHECK logarithm.py RANKS 1 ARGS ${plates} -order 1 -adapt 1e-1)
 mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)
+mortise_scene_test(alternating SCENE two_plates CHECK alternating.py OWN_RUNS RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2
+  -upper_young 8e12 -joint_nonmortar upper:bottom -joint_mortar lower:top -adapt 1e-7 -adapt_max_meshes 14 -adapt_cells kept)
 # Levels of a study give the same bars.
 mortise_scene_test(uniform SCENE two_plates CHECK uniform.py RANKS 1 LONG_RANKS 3 ARGS ${plates} -order 2 -dm_refine 0 -study uniform -study_levels 5)
 mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4 -dm_refine 0 -study uniform -study_levels 4)

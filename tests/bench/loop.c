@@ -52,7 +52,8 @@ static PetscErrorCode Refine(Loop *loop, Mesh mesh, Run run, Vec *guess)
 
   PetscFunctionBeginUser;
   PetscCall(EstimateGet(run->fields, &estimate));
-  PetscCall(MarkingCreate(&mesh->levels[level], estimate, mesh->scene->adapt.marking, PETSC_FALSE, &marked, NULL));
+  PetscCall(MarkingCreate(&mesh->levels[level], estimate->cell, estimate->norm, mesh->scene->adapt.marking, PETSC_FALSE,
+                          &marked, NULL));
   Spend(loop, ESTIMATE, &begin);
   Print(loop, run);
   PetscCall(MeshAdapt(mesh, marked));
