@@ -370,9 +370,9 @@ static PetscErrorCode BarFloorsOfBodies_Private(Fields fields, Vec reactions, Pe
 
 PetscErrorCode BarFloorsCreate(Fields fields, Vec reactions, BarFloors *floors)
 {
-  const Scene scene     = fields->vi->scene;
-  PetscInt    sides     = 0;
-  PetscReal   potential = 0;
+  const Scene scene = fields->vi->scene;
+  PetscInt    sides = 0;
+  PetscReal   shape;
   SideErrors  side;
   Compliance  compliance;
   Estimate    estimate;
@@ -382,16 +382,19 @@ PetscErrorCode BarFloorsCreate(Fields fields, Vec reactions, BarFloors *floors)
   for (PetscInt b = 0; b < scene->num_bodies; b++) sides += scene->bodies[b].num_boundaries;
   PetscCall(PetscCalloc4(scene->num_bodies, &floors->body, sides, &floors->side, scene->num_pairs, &floors->pair,
                          scene->num_probes, &floors->probe));
-  floors->whole = WHOLE_FACTOR * BarFloorsGetRelative_Private(estimate->squared, estimate->norm);
+  floors->whole     = WHOLE_FACTOR * BarFloorsGetRelative_Private(estimate->squared, estimate->norm);
+  floors->potential = 0;
   PetscCall(BarFloorsOfBodies_Private(fields, reactions, floors->body, floors->side));
   for (PetscInt p = 0; p < scene->num_pairs; p++) {
     PetscCall(BarFloorsOfPair_Private(fields, p, &floors->pair[p]));
     PetscCall(SideErrorsGet(fields, p, &side));
     floors->pair[p].pressure = PetscMax(floors->pair[p].pressure, LOCAL_FACTOR * side.largest);
-    potential += side.potential;
+    floors->potential += SHAPE_FACTOR * side.potential;
     PetscCall(FrictionFloorsCompute(fields, p, BODY_FACTOR / WHOLE_FACTOR * floors->whole, &floors->pair[p].friction));
   }
-  floors->whole += SHAPE_FACTOR * BarFloorsGetRelative_Private(potential, estimate->norm / 2);
+  shape = BarFloorsGetRelative_Private(floors->potential, estimate->norm / 2);
+  floors->whole += shape;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) floors->body[b] += shape;
   PetscCall(ComplianceCreate(scene, &compliance));
   for (PetscInt i = 0; i < scene->num_probes; i++)
     PetscCall(BarFloorsOfProbe_Private(fields, &scene->probes[i], &compliance, &floors->probe[i]));

@@ -32,11 +32,13 @@ typedef struct {
 
 /* Relative floors are multiplied by the size of the number. */
 typedef struct {
-  PetscReal    whole; /* 2 (eta / |u|)^2: forces, reactions */
-  PetscReal   *body;  /* 6 (eta_B / |u|_B)^2: displacements and energies of a body [num_bodies] */
-  SideFloors  *side;  /* [boundaries of all bodies] */
-  PairFloors  *pair;  /* [num_pairs] */
-  ProbeFloors *probe; /* [num_probes] */
+  PetscReal    whole;     /* 2 (eta / |u|)^2, and that of the potential: forces, reactions */
+  PetscReal    potential; /* 2 J' (eq. 15.8), not relative: of the potential, in addition to its bar */
+  PetscReal   *body;      /* 6 (eta_B / |u|_B)^2, and that of the potential: displacements and energies of a body
+                             [num_bodies] */
+  SideFloors  *side;      /* [boundaries of all bodies] */
+  PairFloors  *pair;      /* [num_pairs] */
+  ProbeFloors *probe;     /* [num_probes] */
 } BarFloors;
 
 /* Collective. [in] reactions - at nodes, of CertificateCompute(); [out] floors - to be freed by

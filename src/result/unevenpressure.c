@@ -123,6 +123,9 @@ PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *fou
   PetscFunctionBeginUser;
   *found = (UnevenPressure){.shows = PETSC_FALSE};
   if (pair->spec->type != PAIR_CONTACT || pair->spec->mortar.body < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (vi->scene->bodies[pair->spec->nonmortar.body].num_regions ||
+      vi->scene->bodies[pair->spec->mortar.body].num_regions)
+    PetscFunctionReturn(PETSC_SUCCESS); // pressures of layers differ without a fault of the mesh
   PetscCall(PairSumCompute(fields, p, &pressed));
   if (!pressed.active) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SideMeasureCompute(vi->scene, vi->level, &pair->spec->nonmortar, &side[0]));

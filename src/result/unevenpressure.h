@@ -13,7 +13,7 @@ typedef struct {
 } UnevenPressure;
 
 /* Of pair p. Nothing shows at an edge of the nonmortar side or of its partner, where the pressure may be
-   unbounded. Collective. */
+   unbounded. Nothing shows on bodies with regions of other materials. Collective. */
 PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found);
 
 #endif

@@ -418,7 +418,8 @@ static PetscErrorCode BarsAddEnergy_Private(const BarHistory *history, cJSON *ba
     J[j] = values[0];
   }
   bar = BarsOfSequence_Private(history, J);
-  if (!PetscIsNanReal(bar)) bar = PetscMax(bar, PetscAbsReal(history->excess) / 2 + history->limit);
+  if (!PetscIsNanReal(bar))
+    bar = PetscMax(bar, PetscAbsReal(history->excess) / 2 + history->limit) + history->floors->potential;
   JSONAddReal(energy, "potential", bar);
   PetscCall(PetscFree(J));
   for (PetscInt b = 0; b < history->scene->num_bodies; b++) {

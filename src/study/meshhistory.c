@@ -149,8 +149,8 @@ static void MeshHistoryAddGoals_Private(const Scene scene, const SolvedMesh *mes
   }
 }
 
-/* The summary's block "estimate". */
-static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, const Scene scene)
+/* The summary's block "estimate". [in] sides - what sides of files do to the potential */
+static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, const Scene scene, PetscReal sides)
 {
   const SolvedMesh *last     = &history->mesh[history->num - 1];
   const PetscReal   error    = last->error;
@@ -162,7 +162,7 @@ static cJSON *MeshHistoryCreateEstimate_Private(const MeshHistory *history, cons
   JSONAddReal(root, "calibration", last->theta);
   potential = cJSON_AddObjectToObject(root, "potential");
   JSONAddReal(potential, "value", friction ? (PetscReal)NAN : last->potential - SolvedMeshGetExcess_Private(last) / 2);
-  JSONAddReal(potential, "bar", friction ? (PetscReal)NAN : SolvedMeshGetLimitBar_Private(last));
+  JSONAddReal(potential, "bar", friction ? (PetscReal)NAN : SolvedMeshGetLimitBar_Private(last) + sides);
   MeshHistoryAddGoals_Private(scene, last, PETSC_TRUE, root);
   meshes = cJSON_AddArrayToObject(root, "meshes");
   for (PetscInt k = 0; k < history->num; k++) {
@@ -208,6 +208,6 @@ PetscErrorCode MeshHistoryDescribe(const MeshHistory *history, Run run)
   if (last->goals) PetscCall(GoalsRaiseBars(run->scene, last->row, run->bars, last->goals));
   PetscCall(BarFloorsDestroy(&floors));
   PetscCall(PetscFree(meshes));
-  run->estimate = MeshHistoryCreateEstimate_Private(history, run->scene);
+  run->estimate = MeshHistoryCreateEstimate_Private(history, run->scene, floors.potential);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

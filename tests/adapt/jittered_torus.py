@@ -58,6 +58,9 @@ def judge(run):
     refined, _ = fit("refined_coarse", (10, 8, 2), 1, "-order", "1", "-adapt", "0.3")
     error = abs(refined.summary["energy"]["potential"] - exact.summary["energy"]["potential"] / 8)
     require(error < refined.summary["bars"]["energy"]["potential"], f"{error:.3g} is more than the bar of the potential")
+    told = sum(pair["side_error"]["potential"] for pair in refined.summary["pairs"].values())
+    for name, bar in (("bars", refined.summary["bars"]["energy"]["potential"]), ("estimate", refined.summary["estimate"]["potential"]["bar"])):
+        require(bar > 2 * told > 0, f"{name}: the bar {bar:.3g} of the potential lacks the error {told:.3g} by sides of the file")
     near("told on finer meshes", refined.pair("fit")["side_error"]["normal"], coarse.pair("fit")["side_error"]["normal"], relative=0.05)
     for name, words, most in (("second", ("-order", "2"), 0.2), ("refined", ("-order", "2", "-dm_refine", "1"), 0.15), ("bisected", ("-adapt", "0.08"), 0.3)):
         found, share = fit(name, (10, 8, 2), 2, *words)
