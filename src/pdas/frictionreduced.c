@@ -10,6 +10,7 @@ enum { FRICTION_REFINEMENTS = 2 };
 typedef struct {
   PetscMPIInt     rank;
   FrictionProblem problem;
+  PetscReal       rtol;      /* of the law: residual over forces that may be left */
   PetscReal      *from, *to; /* y at the begin and the end of a step; on the first rank [n] */
 } Reduced;
 
@@ -53,7 +54,7 @@ static PetscErrorCode FrictionReducedCompare_Private(Reduced *t, FrictionStep *s
   FrictionStep   part  = *step;
 
   PetscFunctionBeginUser;
-  PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &part.residual, &part.size));
+  PetscCall(FrictionUnitsResidual(units, t->rtol, &part.residual, &part.size));
   step->shortened = (PetscBool)(part.residual <= step->residual);
   if (step->shortened) {
     step->residual = part.residual;
@@ -109,9 +110,9 @@ static PetscErrorCode FrictionReducedStepFirst_Private(FrictionMethod method, Fr
   if (!method->decided) PetscCall(FrictionUnitsDecide(units, &step->changed));
   FrictionUnitsProject(units, t->from);
   PetscCall(FrictionSystemSolve(&t->problem));
-  PetscCall(FrictionUnitsResidual(units, FRICTION_RTOL, &step->residual, &step->size));
+  PetscCall(FrictionUnitsResidual(units, t->rtol, &step->residual, &step->size));
   PetscCall(FrictionUnitsCount(units, &count, &step->closed));
-  step->done       = (PetscBool)(step->residual <= PetscMax(FRICTION_RTOL, method->rtol) * step->size);
+  step->done       = (PetscBool)(step->residual <= t->rtol * step->size);
   step->iterations = 1;
   if (step->done) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionReducedSearch_Private(t, step));
@@ -300,6 +301,7 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&t));
+  t->rtol         = PetscMax(FRICTION_RTOL, method->rtol);
   method->data    = t;
   method->step    = Step_Reduced;
   method->pivot   = Pivot_Reduced;

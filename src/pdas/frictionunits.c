@@ -181,7 +181,7 @@ static UnitStatus FrictionUnitsSlides_Private(FrictionUnit *unit, const PetscRea
                                               const PetscReal tolerance[2])
 {
   const PetscBool ended = unit->ended;
-  PetscReal       size = 0, along = 0;
+  PetscReal       size  = 0;
 
   for (PetscInt i = 0; i < unit->num; i++) size += q[i] * q[i];
   size        = PetscSqrtReal(size);
@@ -190,8 +190,6 @@ static UnitStatus FrictionUnitsSlides_Private(FrictionUnit *unit, const PetscRea
   if (ended) return UNIT_STICK;
   if (unit->status == UNIT_SLIP ? size < limit - unit->resistance * tolerance[0] : size <= limit + tolerance[1])
     return UNIT_STICK;
-  for (PetscInt i = 0; i < unit->num; i++) along += unit->direction[i] * q[i];
-  if (unit->status == UNIT_SLIP && along < 0) return UNIT_STICK; // slip reverses: all units at once may alternate so
   for (PetscInt i = 0; i < unit->num; i++) unit->direction[i] = q[i] / size;
   const PetscReal w = PetscMin(limit / size, SLIP_BEGINS);
   unit->turning     = unit->resistance * w / (1 - w);

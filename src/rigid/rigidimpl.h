@@ -37,6 +37,12 @@ PetscErrorCode RegularizationCreate(VI vi, Solvability solvability);
 /* Sets approach and start anew. Collective. */
 PetscErrorCode RegularizationUpdate(VI vi, Solvability solvability);
 
+/* Marks modes without rotation. Not collective. [out] straight - [m] */
+void SolvabilityMarkStraight(VI vi, PetscBool straight[]);
+/* The combination of rigid motions with given products with them. Collective.
+   [in] products - [m]; [out] part - of each motion [m] */
+PetscErrorCode SolvabilityFindModes(Solvability solvability, const PetscReal products[], PetscReal part[]);
+
 /* Adds the relative displacement of the two sides at a point. Not collective.
    [in] q - [m]; [in,out] slip - [3] */
 void SceneMotionAddSlip(VI vi, const ContactPlace *place, const PetscReal q[], PetscReal slip[]);

@@ -213,8 +213,7 @@ static PetscErrorCode SolvabilityMinimizeSlip_Private(VI vi, const Cone *cone, c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Modes without rotation. [out] straight - [m] */
-static void SolvabilityMarkStraight_Private(VI vi, PetscBool straight[])
+void SolvabilityMarkStraight(VI vi, PetscBool straight[])
 {
   for (PetscInt k = 0; k < vi->rigid_modes.num; k++) {
     const PetscReal *r = &vi->rigid_modes.mode[k * RIGID_COMPONENTS + 3];
@@ -233,7 +232,7 @@ static PetscErrorCode SolvabilitySetUnresistedMotion_Private(VI vi, const Cone *
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(s->m, &straight, s->m, &q));
-  SolvabilityMarkStraight_Private(vi, straight);
+  SolvabilityMarkStraight(vi, straight);
   PetscCall(SolvabilityProjectLoads_Private(cone, phi, straight, q, NULL, &norm));
   s->status = SOLVABLE_NOT;
   if (!(norm > balanced)) {
@@ -357,25 +356,16 @@ static PetscErrorCode SolvabilityChooseTolerance_Private(VI vi, PetscReal *balan
    [in] rho - residual of the loads [m] */
 static PetscErrorCode SolvabilitySubtractResidual_Private(VI vi, Solvability s, const PetscReal rho[])
 {
-  const PetscInt m = s->m;
-  PetscReal     *gram, *values, *V, *part, largest = 0;
+  PetscReal *part;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc4(m * m, &gram, m, &values, m * m, &V, m, &part));
-  for (PetscInt i = 0; i < m; i++) PetscCall(VecMDot(s->modes[i], m, s->modes, &gram[i * m]));
-  DenseEigen(m, gram, values, V);
-  for (PetscInt i = 0; i < m; i++) largest = PetscMax(largest, values[i]);
-  for (PetscInt i = 0; i < m; i++) {
-    PetscReal along = 0;
-
-    for (PetscInt k = 0; k < m; k++) along += V[k * m + i] * rho[k];
-    for (PetscInt k = 0; k < m && values[i] > BALANCED * largest; k++) part[k] += V[k * m + i] * along / values[i];
-  }
-  for (PetscInt k = 0; k < m; k++) {
+  PetscCall(PetscMalloc1(s->m, &part));
+  PetscCall(SolvabilityFindModes(s, rho, part));
+  for (PetscInt k = 0; k < s->m; k++) {
     PetscCall(VecAXPY(vi->b, -part[k] / (vi->stiffness * vi->length), s->modes[k]));
     s->work[k] -= rho[k];
   }
-  PetscCall(PetscFree4(gram, values, V, part));
+  PetscCall(PetscFree(part));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -449,7 +439,7 @@ static PetscErrorCode SolvabilityTryLimits_Private(VI vi, const PetscReal phi[],
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc2(s->m, &take, s->m, &q));
   for (PetscInt all = 0; all < 2 && !found; all++) { // without rotations if possible
-    SolvabilityMarkStraight_Private(vi, take);
+    SolvabilityMarkStraight(vi, take);
     for (PetscInt k = 0; k < s->m && all; k++) take[k] = PETSC_TRUE;
     PetscCall(FrictionLimitsFindMotion(vi, s, phi, balanced, take, q, &found));
   }

@@ -269,6 +269,22 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode ProximalTestSliding(const Proximal *proximal, Vec y)
+{
+  Vec forces, step;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(y, &forces));
+  PetscCall(VecDuplicate(y, &step));
+  PetscCall(MatMult(proximal->solved.A, y, forces));
+  PetscCall(VecAYPX(forces, -1, proximal->solved.b)); // without the proximal term
+  PetscCall(VecWAXPY(step, -1, proximal->rest, y));
+  PetscCall(SolvabilityTestSliding(proximal->solved.vi, proximal->solvability, forces, step));
+  PetscCall(VecDestroy(&forces));
+  PetscCall(VecDestroy(&step));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ProximalFinish(const Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;

@@ -30,6 +30,9 @@ PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y);
 /* Tests whether the proximal term is negligible beside the forces; if not, y becomes the centre. Collective.
    [in,out] report - fails after too many steps; [out] done - also after a failure */
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done);
+/* After bodies slid on and on: sets solvability if their motion shows that there is no solution. Collective.
+   [in] y - the last one */
+PetscErrorCode ProximalTestSliding(const Proximal *proximal, Vec y);
 /* Takes bounds, loads and approach anew; the centre is 0 again. Collective. */
 PetscErrorCode ProximalUpdate(Proximal *proximal);
 /* [in,out] y - of what was solved; of vi. Collective. */

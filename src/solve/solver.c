@@ -166,6 +166,7 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (pdas) PetscCall(SolverTakeSet_Private(solver, context));
   if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
   PetscCall(SolverIterateProximal_Private(context, y, report));
+  if (report->slid && report->friction.rho < 1) PetscCall(ProximalTestSliding(&context->proximal, y));
   if (pdas && !solvability) PetscCall(SolverLeaveSet_Private(solver, context, report));
   report->bound.value = report->discretisation = NAN;
   if (choice->bound && !pdas) PetscCall(SolverContextSetLevels(context, NULL));
@@ -216,7 +217,7 @@ static PetscErrorCode SolverExplain_Private(Solver solver, SolverReport *report)
   const Solvability s = solver->solvability;
 
   PetscFunctionBeginUser;
-  if (!s || s->driven.num) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!s || s->driven.num || s->status == SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolvabilityFindHardlyHeld(solver->vi, s));
   if (s->driven.num) {
     PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
@@ -249,7 +250,8 @@ PetscErrorCode SolverSolve(Solver solver, Vec guess, Vec y, SolverReport *report
   PetscCall(SolverRun(solver, &choice, progress, guess, y, report));
   report->gave_way = solver->gave_way;
   if (!report->converged) PetscCall(MeshLevelsDestroy(&solver->levels));
-  PetscCall(SolverFallBack_Private(solver, &choice, progress, guess, y, report));
+  if (!solver->solvability || solver->solvability->status != SOLVABLE_NOT)
+    PetscCall(SolverFallBack_Private(solver, &choice, progress, guess, y, report));
   if (!report->converged) PetscCall(SolverExplain_Private(solver, report));
   solver->chosen   = scene->keep;
   solver->gave_way = report->gave_way;

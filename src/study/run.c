@@ -12,37 +12,6 @@
    not expected. */
 enum { MAX_TRIES = 4 };
 
-/* Solves and judges. [out] again - whether a wider reach is needed */
-static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
-{
-  const Scene scene = run->scene;
-
-  PetscFunctionBeginUser;
-  PetscCall(LogStageBegin(STAGE_SOLVE));
-  PetscCall(VecDuplicate(run->vi->b, &run->y));
-  PetscCall(PretensionSolve(run->vi, run->solvability, run->solver, guess, run->y, &run->report));
-  if (scene->cross_check && run->report.converged)
-    PetscCall(SolverCrossCheck(run->solver, run->y, &run->report, &run->check));
-  PetscCall(LogStageEnd(STAGE_SOLVE));
-  if (scene->measure_linear && run->report.converged) PetscCall(SolverSolveLinear(run->solver, run->y, &run->report));
-  if (scene->infsup && !run->inf_sup) { // depends on matrices alone, which load steps keep
-    PetscCall(PetscMalloc1(run->vi->num_pairs, &run->inf_sup));
-    PetscCall(InfSupCompute(run->vi, run->solvability, run->inf_sup));
-  }
-  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
-
-  PetscCall(LogStageBegin(STAGE_OUTPUT));
-  PetscCall(FieldsCreate(run->vi, run->solvability, run->y, &run->fields));
-  PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
-  PetscCall(LogStageEnd(STAGE_OUTPUT));
-  if (run->certificate.holds) PetscCall(ReachCheckRun(run, again));
-  PetscCall(ErrorsCompute(run->fields, &run->errors)); // in no stage: not part of the solution
-  /* a second solver that does not converge is a warning: the first one has its certificate */
-  run->solved = (PetscBool)(run->report.converged && run->certificate.holds &&
-                            (!run->check.done || !run->check.other.converged || run->check.agree));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Sets the report and the certificate of a run that solves nothing: with -check, or without a solution. */
 static PetscErrorCode RunLeaveUnsolved_Private(Run run)
 {
@@ -60,6 +29,43 @@ static PetscErrorCode RunLeaveUnsolved_Private(Run run)
   }
   PetscCall(PetscSNPrintf(run->report.reason, sizeof(run->report.reason), "there is no solution%s: %s",
                           s->coarse ? " on this mesh" : "", s->motion.sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Solves and judges. [out] again - whether a wider reach is needed */
+static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
+{
+  const Scene scene = run->scene;
+
+  PetscFunctionBeginUser;
+  PetscCall(LogStageBegin(STAGE_SOLVE));
+  PetscCall(VecDuplicate(run->vi->b, &run->y));
+  PetscCall(PretensionSolve(run->vi, run->solvability, run->solver, guess, run->y, &run->report));
+  if (scene->cross_check && run->report.converged)
+    PetscCall(SolverCrossCheck(run->solver, run->y, &run->report, &run->check));
+  PetscCall(LogStageEnd(STAGE_SOLVE));
+  run->refused = (PetscBool)(run->solvability && run->solvability->status == SOLVABLE_NOT);
+  if (run->refused) { // bodies that slide on and on
+    PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
+    PetscCall(RunLeaveUnsolved_Private(run));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  if (scene->measure_linear && run->report.converged) PetscCall(SolverSolveLinear(run->solver, run->y, &run->report));
+  if (scene->infsup && !run->inf_sup) { // depends on matrices alone, which load steps keep
+    PetscCall(PetscMalloc1(run->vi->num_pairs, &run->inf_sup));
+    PetscCall(InfSupCompute(run->vi, run->solvability, run->inf_sup));
+  }
+  PetscCall(SceneCheckUnused(scene, PETSC_FALSE));
+
+  PetscCall(LogStageBegin(STAGE_OUTPUT));
+  PetscCall(FieldsCreate(run->vi, run->solvability, run->y, &run->fields));
+  PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
+  PetscCall(LogStageEnd(STAGE_OUTPUT));
+  if (run->certificate.holds) PetscCall(ReachCheckRun(run, again));
+  PetscCall(ErrorsCompute(run->fields, &run->errors)); // in no stage: not part of the solution
+  /* a second solver that does not converge is a warning: the first one has its certificate */
+  run->solved = (PetscBool)(run->report.converged && run->certificate.holds &&
+                            (!run->check.done || !run->check.other.converged || run->check.agree));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

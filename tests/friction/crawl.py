@@ -3,6 +3,7 @@ continued another file. Slip turns round at once when a step begins, so that the
 from judge import near, require, same
 
 CRAWL = 0.105  # of a cycle
+WEAK, MOST = 33.75 * 3e-3, 15  # crawl of 160 cells with a tenth of the weight; Newton steps of a load step, with those of all passes
 STRAIN = 1e-6  # slip less expansion: weight over stiffness, times the length
 
 
@@ -21,6 +22,9 @@ def judge(run):
     near("steady from the second cycle on", moved[5] - moved[3], moved[3] - moved[1], absolute=STRAIN)
     halves = run.again("-load_steps", "0.5,1,1.5,2,2.5,3,3.5,4", name="halves")
     near("defect of steps and of their halves", defect(run, 1) / defect(halves, 2), 2, absolute=0.01)
+    weak = run.again("-bar_body_force", "1e-6,-1e-5", "-bar_dm_plex_box_faces", "160,1", "-load_steps", "1,2,3,4", name="weak")
+    near("crawl under a tenth of the weight", places(weak)[3] - places(weak)[1], WEAK, absolute=1e-6)
+    require(max(step["iterations"] for step in weak.summary["steps"]) <= MOST, f"{[step['iterations'] for step in weak.summary['steps']]} Newton steps")
     # The same list, continued twice: times of earlier files count as its begin.
     part = run.again("-load_steps", "1,2", name="part", ranks=4 - run.ranks)
     more = run.again("-restart", str(part.folder / "result.h5"), "-load_steps", "1,2,3", name="more")
