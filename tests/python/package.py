@@ -192,7 +192,9 @@ def test_interrupt(arguments):
     program.write_text(f"#!/bin/sh\necho $$ >> {begun}\nexec sleep 1000\n")
     program.chmod(0o755)
     script.write_text(f"import mortise\nmortise.sweep({{}}, [{{'order': 1}}] * 9, {{}}, workers=2, program={str(program)!r})\n")
-    with subprocess.Popen([sys.executable, "-B", script], env={**os.environ, "PYTHONPATH": str(TOP / "src/python")}, stderr=subprocess.PIPE, text=True) as loop:
+    # jobs in the background of a shell ignore Ctrl-C, and so would their children
+    with subprocess.Popen([sys.executable, "-B", script], env={**os.environ, "PYTHONPATH": str(TOP / "src/python")}, stderr=subprocess.PIPE, text=True,
+                          preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as loop:
         while not begun.exists() or begun.read_text().count("\n") < 2:
             require(loop.poll() is None, "the loop has ended by itself")
             time.sleep(0.05)
