@@ -6,12 +6,32 @@
 #include "base/compat.h"
 #include "multigrid/patchlinks.h"
 
+/* A graph of nodes, as a matrix of ones. Collective. [in] start, column - its rows, which are freed [n + 1];
+   [out] graph - AIJ, owned by the caller */
+static PetscErrorCode PatchLinksCreateGraph_Private(MPI_Comm comm, PetscInt n, PetscInt *start, PetscInt *column,
+                                                    Mat *graph)
+{
+  PetscScalar *ones;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(start[n], &ones));
+  for (PetscInt j = 0; j < start[n]; j++) ones[j] = 1;
+  PetscCall(MatCreate(comm, graph));
+  PetscCall(MatSetSizes(*graph, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetType(*graph, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*graph, start, column, ones)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*graph, start, column, ones));
+  PetscCall(PetscFree(start));
+  PetscCall(PetscFree(column));
+  PetscCall(PetscFree(ones));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Other nodes that own nodes depend on by T. [out] sources - row for row; AIJ, owned by the caller */
 static PetscErrorCode PatchLinksCreateSources_Private(const Operator *op, PetscInt n, Mat *sources)
 {
   const PetscInt dim = op->dim;
   PetscInt      *start, *column = NULL, begin, max = 0;
-  PetscScalar   *ones;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(n + 1, &start));
@@ -37,16 +57,7 @@ static PetscErrorCode PatchLinksCreateSources_Private(const Operator *op, PetscI
     if (start[i + 1]) PetscCall(PetscSortRemoveDupsInt(&start[i + 1], &column[start[i]]));
     start[i + 1] += start[i];
   }
-  PetscCall(PetscMalloc1(start[n], &ones));
-  for (PetscInt j = 0; j < start[n]; j++) ones[j] = 1;
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->T), sources));
-  PetscCall(MatSetSizes(*sources, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*sources, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*sources, start, column, ones)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*sources, start, column, ones));
-  PetscCall(PetscFree(start));
-  PetscCall(PetscFree(column));
-  PetscCall(PetscFree(ones));
+  PetscCall(PatchLinksCreateGraph_Private(PetscObjectComm((PetscObject)op->T), n, start, column, sources));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -55,65 +66,61 @@ static PetscErrorCode PatchLinksCreateSources_Private(const Operator *op, PetscI
    wide patches and 63 without. In space cells have 81 and more: inverses cost more than is gained. */
 static const PetscReal WIDENED_FROM = 20, WIDENED_UP_TO = 50;
 
-/* Nodes and those that share a cell with them. [out] graph - AIJ, owned by the caller; [out] gains -
-   whether patches that have them gain */
-static PetscErrorCode PatchLinksCreateGraph_Private(const Operator *op, PetscInt n, PetscBool *gains, Mat *graph)
+/* Whether widened patches gain. Collective.
+   [out] start - of the rows of nodes and those that share a cell with them, owned by the caller [n + 1] */
+static PetscErrorCode PatchLinksGain_Private(const Operator *op, PetscInt n, PetscInt **start, PetscBool *gain)
 {
-  const PetscInt dim = op->dim;
-  PetscInt      *start, *column = NULL, begin, max = 0;
-  PetscReal      size[2];
-  PetscScalar   *ones;
+  PetscInt  begin;
+  PetscReal size[2];
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(n + 1, &start));
+  PetscCall(PetscMalloc1(n + 1, start));
   PetscCall(MatGetOwnershipRange(op->K, &begin, NULL));
-  start[0] = 0;
+  (*start)[0] = 0;
+  for (PetscInt i = 0; i < n; i++) {
+    PetscInt num;
+
+    PetscCall(MatGetRow(op->K, begin + op->dim * i, &num, NULL, NULL));
+    (*start)[i + 1] = (*start)[i] + num / op->dim;
+    PetscCall(MatRestoreRow(op->K, begin + op->dim * i, &num, NULL, NULL));
+  }
+  size[0] = (PetscReal)(op->dim * (*start)[n]);
+  size[1] = (PetscReal)n;
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)op->K)));
+  *gain = (PetscBool)(size[0] >= WIDENED_FROM * size[1] && size[0] <= WIDENED_UP_TO * size[1]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the nodes that share a cell with those that a node moves: a patch can then keep the volume of these
+   cells. Collective. [in,out] links - nodes (rows) and those that they move (columns) */
+static PetscErrorCode PatchLinksWiden_Private(const Operator *op, PetscInt n, Mat *links)
+{
+  const PetscInt dim = op->dim;
+  PetscInt      *start, *column, begin;
+  PetscBool      gain;
+  Mat            graph, product;
+
+  PetscFunctionBeginUser;
+  PetscCall(PatchLinksGain_Private(op, n, &start, &gain));
+  if (!gain) {
+    PetscCall(PetscFree(start));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(PetscMalloc1(start[n], &column));
+  PetscCall(MatGetOwnershipRange(op->K, &begin, NULL));
   for (PetscInt i = 0; i < n; i++) {
     PetscInt        num;
     const PetscInt *columns;
 
     PetscCall(MatGetRow(op->K, begin + dim * i, &num, &columns, NULL));
-    start[i + 1] = start[i] + num / dim;
-    if (start[i + 1] > max) {
-      max = 2 * start[i + 1];
-      PetscCall(PetscRealloc((size_t)max * sizeof(PetscInt), &column));
-    }
     for (PetscInt j = 0; j < num / dim; j++) column[start[i] + j] = columns[dim * j] / dim;
     PetscCall(MatRestoreRow(op->K, begin + dim * i, &num, &columns, NULL));
   }
-  size[0] = (PetscReal)(dim * start[n]);
-  size[1] = (PetscReal)n;
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 2, MPIU_REAL, MPI_SUM, PetscObjectComm((PetscObject)op->K)));
-  *gains = (PetscBool)(size[0] >= WIDENED_FROM * size[1] && size[0] <= WIDENED_UP_TO * size[1]);
-  PetscCall(PetscMalloc1(start[n], &ones));
-  for (PetscInt j = 0; j < start[n]; j++) ones[j] = 1;
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), graph));
-  PetscCall(MatSetSizes(*graph, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*graph, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*graph, start, column, ones)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*graph, start, column, ones));
-  PetscCall(PetscFree(start));
-  PetscCall(PetscFree(column));
-  PetscCall(PetscFree(ones));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Adds the nodes that share a cell with those that a node moves: a patch can then keep the volume of these
-   cells.
-   [in,out] links - nodes (rows) and those that they move (columns) */
-static PetscErrorCode PatchLinksWiden_Private(const Operator *op, PetscInt n, Mat *links)
-{
-  PetscBool gains;
-  Mat       graph, product;
-
-  PetscFunctionBeginUser;
-  PetscCall(PatchLinksCreateGraph_Private(op, n, &gains, &graph));
-  if (gains) {
-    PetscCall(MatMatMult(*links, graph, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-    PetscCall(MatDestroy(links));
-    *links = product;
-  }
+  PetscCall(PatchLinksCreateGraph_Private(PetscObjectComm((PetscObject)op->K), n, start, column, &graph));
+  PetscCall(MatMatMult(*links, graph, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
   PetscCall(MatDestroy(&graph));
+  PetscCall(MatDestroy(links));
+  *links = product;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
