@@ -1,4 +1,5 @@
-/* plexpoints.c -- vertices and nodes of a single point of the mesh: a vertex, an edge, a facet, a cell.
+/* plexpoints.c -- vertices and nodes of a single point of the mesh: a vertex, an edge, a facet, a cell. Room for
+   positions of vertices.
 
    Vertices are in the order of element.h from any first one, and so are nodes. Orientation of cells is known
    only with positions. */
@@ -249,5 +250,32 @@ PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared)
   PetscCall(DMPlexGetHeightStratum(level->dm, 1, &begin, &end));
   for (PetscInt f = begin; f < end && level->inner; f++)
     (*shared)[f] = (PetscBool)((*shared)[f] || level->inner[f - begin]);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode PlexCreateCoords(DM dm, PetscInt dim, Vec *coords)
+{
+  PetscInt     begin, end;
+  PetscSection section;
+  DM           coord_dm;
+
+  PetscFunctionBeginUser;
+  PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));
+  PetscCall(DMSetCoordinateDim(dm, dim));
+  PetscCall(DMGetCoordinateDM(dm, &coord_dm));
+  PetscCall(DMGetCoordinateSection(dm, &section));
+  PetscCall(PetscSectionSetNumFields(section, 1));
+  PetscCall(PetscSectionSetFieldComponents(section, 0, dim));
+  PetscCall(PetscSectionSetChart(section, begin, end));
+  for (PetscInt v = begin; v < end; v++) {
+    PetscCall(PetscSectionSetDof(section, v, dim));
+    PetscCall(PetscSectionSetFieldDof(section, v, 0, dim));
+  }
+  PetscCall(PetscSectionSetUp(section));
+  PetscCall(VecCreate(PETSC_COMM_SELF, coords));
+  PetscCall(PetscObjectSetName((PetscObject)*coords, "coordinates"));
+  PetscCall(VecSetSizes(*coords, (end - begin) * dim, PETSC_DETERMINE));
+  PetscCall(VecSetBlockSize(*coords, dim));
+  PetscCall(VecSetType(*coords, VECSTANDARD));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -31,5 +31,8 @@ PetscErrorCode LevelGetNodePoints(const Level *level, PetscInt **point);
 PetscErrorCode PointsMarkShared(DM dm, PetscBool **shared);
 /* The same, and facets beside hanging nodes. */
 PetscErrorCode LevelMarkShared(const Level *level, PetscBool **shared);
+/* Room for the positions of all vertices in order, for DMSetCoordinatesLocal(). Collective on the DM.
+   [out] coords - [vertices][dim], owned by the caller */
+PetscErrorCode PlexCreateCoords(DM dm, PetscInt dim, Vec *coords);
 
 #endif

@@ -1,6 +1,6 @@
 /* arcextract.c -- smooth sides of a body while its file's mesh is refined (eq. 4.5). */
 #include "mesh/fileextract.h"
-#include "mesh/filearcs.h"
+#include "refinement/filearcs.h"
 #include "base/compat.h"
 
 /* The one chosen cell of a facet, -1 if there is none or if there are several. */

@@ -64,9 +64,4 @@ Level *MeshFinest(Mesh mesh);
 /* Collective. */
 PetscErrorCode MeshDestroy(Mesh *mesh);
 
-/* Interpolation from node values of one order to those of a higher one on the same cells. The two scenes
-   differ in the order of all bodies alone: then both have the same DMs and partition. Collective.
-   [out] E - AIJ, owned by the caller */
-PetscErrorCode LevelCreateEmbedding(const Level *low, const Level *high, Mat *E);
-
 #endif

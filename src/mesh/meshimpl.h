@@ -10,10 +10,9 @@
 #include "level/facets.h"
 #include "level/leveltables.h"
 #include "level/plexpoints.h"
+#include "refinement/levelrefine.h"
 
 enum { MESH_SENTENCE = 1024 }; /* length of the sentence of a user error */
-
-typedef struct _n_Refinement Refinement; /* refinement.h */
 
 /* Connected sets of cells that touch and are not joined. */
 typedef struct {
@@ -113,26 +112,8 @@ extern const DMPolytopeType PlexPolytope[];
 /* Cells, edges, vertices and their positions, without labels. Collective on comm. */
 PetscErrorCode PlexCreate(MPI_Comm comm, PetscInt dim, const BodyList lists[], const Numbering *numbering, DM *dm);
 
-/* Room for the positions of all vertices in order, for DMSetCoordinatesLocal(). Collective on the DM.
-   [out] coords - [vertices][dim], owned by the caller */
-PetscErrorCode PlexCreateCoords(DM dm, PetscInt dim, Vec *coords);
-
-/* Positions before the map of nodes on edges and in cells, where a file gives them. */
-typedef struct {
-  PetscSection section;   /* dim numbers on points of a DM that have one; NULL where all is straight */
-  Vec          positions; /* this rank's */
-} Curves;
-
-/* From the cells of order 2 in lists. Collective on the DM. */
+/* The curves of a DM, from the cells of order 2 in lists. Collective on the DM. */
 PetscErrorCode CurvesCreate(DM dm, const BodyList lists[], const Numbering *numbering, Curves *curves);
-PetscErrorCode CurvesDestroy(Curves *curves);
-/* Number of numbers on this rank. */
-PetscErrorCode CurvesGetSize(const Curves *curves, PetscInt *size);
-/* Distributes curves as a DM was. Collective.
-   [in] dm - before the distribution; [in] sf - of DMPlexDistribute() */
-PetscErrorCode CurvesDistribute(DM dm, PetscSF sf, Curves *curves);
-/* Sets the positions of the nodes that curves have. [in,out] X - [num_nodes][dim] */
-PetscErrorCode CurvesGetNodes(const Curves *curves, const Level *level, PetscReal X[]);
 
 /* A Gmsh file as a DM on this rank alone. [out] curves - owned by the caller; [out] reason - why it cannot be
    used, "" if it can [MESH_SENTENCE] */
@@ -183,73 +164,6 @@ PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
    or a reason for a warning */
 PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
                                PetscBool *good);
-
-/* Moves nodes that are on the axis of an axisymmetric scene up to roundoff exactly there. User errors: a node
-   with a negative radius. Collective. */
-PetscErrorCode LevelSetAxis(Level *level);
-/* Sets the positions of nodes. User errors: a map that is not finite; a node with a negative radius.
-   Collective.
-   [in] curves - optional, may be NULL */
-PetscErrorCode LevelSetCoords(Level *level, const Curves *curves);
-/* Sets the positions before maps of a level that does not have them yet. */
-PetscErrorCode LevelKeepUnmapped(Level *level);
-/* Finds the smooth sides on the coarsest level, and moves its middle nodes to their curves. Collective. */
-PetscErrorCode LevelBeginArcs(Level *level);
-
-/* Smooth sides, and sides that must stay flat, of files of first order; normals of facets are outward. */
-typedef struct {
-  PetscBool any; /* the same on all ranks */
-  Facets    round, flat;
-} ArcSides;
-
-/* The names of a body's sides that may be smooth, and of those with a fixed normal displacement, joined by
-   '+'. [out] each owned by the caller, PetscFree(); NULL if there are none */
-PetscErrorCode ArcSideNames(Scene scene, PetscInt body, char **round, char **flat);
-/* Finds the bodies with smooth sides that are curved: of files of first order; of second order, if some
-   facets are on arcs. Collective. [out] any - whether there are such bodies */
-PetscErrorCode LevelFindArcs(Level *level, PetscBool *any);
-PetscErrorCode LevelFindFileArcs(Level *level);
-/* Whether facets of first order form a curved patch, on any rank. Collective. */
-PetscErrorCode LevelHasArcs(Level *level, const ArcSides *sides, PetscBool *any);
-/* The facets of all bodies of an order that have such sides. Collective. [out] sides - owned by the caller */
-PetscErrorCode ArcSidesCreate(Level *level, PetscInt order, ArcSides *sides);
-/* The same of bodies of order 2 from files of second order in space. Collective. */
-PetscErrorCode FileSidesCreate(Level *level, ArcSides *sides);
-PetscErrorCode ArcSidesDestroy(ArcSides *sides);
-/* Moves vertices of a refined level to the curves over coarse edges, or middle nodes of a level to the curves
-   over its own edges. Positions are those before maps, which both levels have. Collective. */
-PetscErrorCode LevelArcVertices(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine);
-PetscErrorCode LevelArcMiddles(Level *level, const ArcSides *sides);
-/* Moves new nodes of files of second order in space, where these are not on arcs, to the surface of (4.5a).
-   Collective. [in,out] fine - with positions on the parabolas of the coarse level */
-PetscErrorCode LevelRiseParabolas(Level *coarse, const Refinement *refinement, Level *fine);
-/* The offset x of an edge, from those o by its facets: the least one with o.x = |o|^2 for all. Facets of one
-   patch give the same o, of different patches others, and the edge is on both. Sides fixed along their
-   normal stay flat. Returns whether the offset is not zero. Not collective.
-   [in] sums - of ArcSumsAddOffset(), and of ArcSumsAddPlane() along which there must be none [ARC_SUMS];
-   [out] offset - [dim] */
-enum { ARC_SUMS = 15 };
-void      ArcSumsAddOffset(PetscInt dim, const PetscReal offset[], PetscScalar sums[]);
-void      ArcSumsAddPlane(PetscInt dim, const PetscReal normal[], PetscScalar sums[]);
-PetscBool ArcSumsToOffset(PetscInt dim, const PetscScalar sums[], PetscReal offset[]);
-/* The points of the edges of a facet. Not collective.
-   [in] point - of each node; [out] edges - in the order of ElementEdgeNodes() */
-PetscErrorCode FacetGetEdges(const Level *level, const PetscInt point[], const Facets *facets, PetscInt f,
-                             PetscInt edges[]);
-
-/* The tables and positions of a partitioned DM, cells not reversed. Collective. */
-PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level);
-/* The same for a refined level that has its prolongation. Collective.
-   [in] sides - smooth sides of bodies of order 1 */
-PetscErrorCode LevelFollowCoords(Level *coarse, const ArcSides *sides, const Refinement *refinement, Level *fine);
-/* The cells' materials and bodies of a refined level, from where they come.
-   [in] refinement - from coarse to fine */
-PetscErrorCode LevelFollowCellMaterials(const Level *coarse, const Refinement *refinement, Level *fine);
-/* Splits every cell: tables, prolongation and positions, cells not reversed. Collective.
-   [in] sides - smooth ones of bodies of order 1 */
-PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine);
-/* fine->prolongation, by the origin of each fine node. Collective. [in] refinement - from coarse to fine */
-PetscErrorCode LevelCreateProlongation(const Level *coarse, const Refinement *refinement, Level *fine);
 
 /* Curves of files of second order under bodies of order 1: mesh->shape, NULL where there are none. Create
    makes them from the coarsest level. Refine refines them, and moves the nodes of the finest level of the

@@ -128,33 +128,6 @@ static PetscErrorCode PlexSetShapes_Private(DM dm, PetscInt dim, const Shapes sh
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PlexCreateCoords(DM dm, PetscInt dim, Vec *coords)
-{
-  PetscInt     begin, end;
-  PetscSection section;
-  DM           coord_dm;
-
-  PetscFunctionBeginUser;
-  PetscCall(DMPlexGetDepthStratum(dm, 0, &begin, &end));
-  PetscCall(DMSetCoordinateDim(dm, dim));
-  PetscCall(DMGetCoordinateDM(dm, &coord_dm));
-  PetscCall(DMGetCoordinateSection(dm, &section));
-  PetscCall(PetscSectionSetNumFields(section, 1));
-  PetscCall(PetscSectionSetFieldComponents(section, 0, dim));
-  PetscCall(PetscSectionSetChart(section, begin, end));
-  for (PetscInt v = begin; v < end; v++) {
-    PetscCall(PetscSectionSetDof(section, v, dim));
-    PetscCall(PetscSectionSetFieldDof(section, v, 0, dim));
-  }
-  PetscCall(PetscSectionSetUp(section));
-  PetscCall(VecCreate(PETSC_COMM_SELF, coords));
-  PetscCall(PetscObjectSetName((PetscObject)*coords, "coordinates"));
-  PetscCall(VecSetSizes(*coords, (end - begin) * dim, PETSC_DETERMINE));
-  PetscCall(VecSetBlockSize(*coords, dim));
-  PetscCall(VecSetType(*coords, VECSTANDARD));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Positions before any map: refinement halves edges there, and maps are applied to the result. */
 static PetscErrorCode PlexSetCoords_Private(const BodyList lists[], const Numbering *numbering, PetscInt dim, DM dm)
 {

@@ -10,7 +10,8 @@
 #include "mesh/forest.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
-#include "mesh/filearcs.h"
+#include "refinement/arcsums.h"
+#include "refinement/filearcs.h"
 #include <string.h>
 
 enum { F = ELEMENT_MAX_FACET_NODES };

@@ -6,7 +6,7 @@
 #include "result/geometry.h"
 #include "base/compat.h"
 #include "contact/pairpoints.h"
-#include "mesh/sagitta.h"
+#include "refinement/sagitta.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, DENSITY_DEGREE = 2 };
 

@@ -1,6 +1,7 @@
 /* meshcomparison.c -- differences between the solutions of a study and its reference. */
 #include <math.h>
 #include "base/compat.h"
+#include "refinement/levelrefine.h"
 #include "result/errors.h"
 #include "study/promotion.h"
 #include "study/studyimpl.h"

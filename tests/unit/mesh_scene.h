@@ -1,4 +1,4 @@
-/* mesh_scene.h -- small scenes by hand for the tests of the mesh room, without options. */
+/* mesh_scene.h -- small scenes by hand for tests of the mesh, without options. */
 #ifndef MORTISE_MESH_SCENE_H
 #define MORTISE_MESH_SCENE_H
 

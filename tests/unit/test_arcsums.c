@@ -1,5 +1,5 @@
 /* test_arcsums.c -- offsets of edges between curved facets: on every curve, within flat sides; by hand. */
-#include "mesh/meshimpl.h"
+#include "refinement/arcsums.h"
 #include "test.h"
 
 static const PetscReal EXACT = 1e-12;

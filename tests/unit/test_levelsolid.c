@@ -1,4 +1,5 @@
 /* test_levelsolid.c -- tables of levels in space: prolongation, embedding, Mats, point location, parts. */
+#include "refinement/levelrefine.h"
 #include "solid_scene.h"
 
 static PetscInt Order[2] = {1, 1}; /* of the bodies that are made next */

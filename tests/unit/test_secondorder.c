@@ -1,4 +1,5 @@
 /* test_secondorder.c -- meshes whose bodies are of order 2: nodes on curves, curved facets, the way up from order 1. */
+#include "refinement/levelrefine.h"
 #include "mesh_scene.h"
 
 /* Largest distance of a cell's middle nodes from the mean of the vertices around them, over the cell's size. */

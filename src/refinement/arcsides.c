@@ -1,5 +1,6 @@
 /* arcsides.c -- the smooth sides: sides of pairs whose files have straight edges (eq. 4.5). */
-#include "mesh/filearcs.h"
+#include "refinement/filearcs.h"
+#include "refinement/refinementimpl.h"
 #include "base/compat.h"
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #include "kernel/dense.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
-#include "mesh/meshimpl.h"
+#include "refinement/arcsums.h"
 
 /* Places of values in the sums: products o_k o_l, o |o|^2, normals of flat sides. */
 enum { SUM_PRODUCTS = 0, SUM_RIGHT = 9, SUM_PLANE = 12 };

@@ -3,7 +3,7 @@
    The DM keeps box coordinates of vertices. A node in the middle of an edge or a cell is at the mean of the
    vertices, or at its position in the file. Finer levels follow the curves of the coarsest. The body's map
    puts all of them on the exact curve: sides are isoparametric. */
-#include "mesh/meshimpl.h"
+#include "refinement/refinementimpl.h"
 #include "base/compat.h"
 
 /* Means over vertices, by point: the mean of a point's vertices is the mean of its facets' means.

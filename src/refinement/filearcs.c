@@ -8,7 +8,8 @@
 #include "base/compat.h"
 #include "kernel/arc.h"
 #include "kernel/vector.h"
-#include "mesh/filearcs.h"
+#include "refinement/filearcs.h"
+#include "refinement/refinementimpl.h"
 #include "side/sidesums.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };

@@ -1,6 +1,6 @@
 /* levelrefine.c -- the coarsest level, and its refinements. */
 #include "base/compat.h"
-#include "mesh/refinement.h"
+#include "refinement/refinementimpl.h"
 #include "side/normalerrors.h"
 
 PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Level *level)
@@ -12,7 +12,8 @@ PetscErrorCode LevelCreateFromPlex(Scene scene, DM dm, const Curves *curves, Lev
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode LevelFollowCellMaterials(const Level *coarse, const Refinement *refinement, Level *fine)
+/* The cells' materials and bodies of a refined level, from where they come. */
+static PetscErrorCode LevelFollowCellMaterials_Private(const Level *coarse, const Refinement *refinement, Level *fine)
 {
   PetscInt begin, coarse_begin;
 
@@ -37,7 +38,7 @@ PetscErrorCode LevelRefine(Level *coarse, const ArcSides *sides, Level *fine)
   PetscFunctionBeginUser;
   PetscCall(RefinementCreate(coarse->dm, &refinement, &dm));
   PetscCall(LevelBegin(coarse->scene, dm, fine));
-  PetscCall(LevelFollowCellMaterials(coarse, &refinement, fine));
+  PetscCall(LevelFollowCellMaterials_Private(coarse, &refinement, fine));
   PetscCall(LevelSetNodes(fine, SceneMaxOrder(coarse->scene)));
   PetscCall(LevelCreateProlongation(coarse, &refinement, fine));
   PetscCall(LevelFollowCoords(coarse, sides, &refinement, fine));

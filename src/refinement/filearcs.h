@@ -1,9 +1,9 @@
 /* filearcs.h -- sides of files of second order: which of their facets are on the curves of their nodal
-   normals (eq. 4.5). Private. */
+   normals (eq. 4.5). */
 #ifndef MORTISE_FILEARCS_H
 #define MORTISE_FILEARCS_H
 
-#include "mesh/meshimpl.h"
+#include "refinement/arcsides.h"
 #include "side/sideshape.h"
 
 /* The point of a facet, by two of its edges; of a line the line itself. Not collective. */

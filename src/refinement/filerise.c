@@ -3,8 +3,9 @@
 #include "base/compat.h"
 #include "kernel/rise.h"
 #include "kernel/vector.h"
-#include "mesh/filearcs.h"
-#include "mesh/refinement.h"
+#include "refinement/arcsums.h"
+#include "refinement/filearcs.h"
+#include "refinement/refinementimpl.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 

@@ -1,5 +1,6 @@
 /* refinedplex.c -- labels, points of other ranks and positions of a refined DMPlex. */
-#include "mesh/refinement.h"
+#include "level/plexpoints.h"
+#include "refinement/refinement.h"
 #include "base/compat.h"
 #include <petscsf.h>
 

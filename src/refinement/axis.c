@@ -1,5 +1,5 @@
 /* axis.c -- the axis of revolution, x = 0 of an axisymmetric scene. */
-#include "mesh/meshimpl.h"
+#include "refinement/refinementimpl.h"
 #include "base/compat.h"
 #include "base/usererror.h"
 
@@ -8,9 +8,9 @@ static const PetscReal AXIS_ROUNDOFF = 1e-10;
 
 PetscErrorCode LevelSetAxis(Level *level)
 {
-  const PetscInt dim                     = level->dim;
-  char           sentence[MESH_SENTENCE] = "";
-  PetscReal      largest                 = 0;
+  const PetscInt dim                         = level->dim;
+  char           sentence[USER_ERROR_LENGTH] = "";
+  PetscReal      largest                     = 0;
 
   PetscFunctionBeginUser;
   if (level->scene->model != MODEL_AXISYMMETRIC) PetscFunctionReturn(PETSC_SUCCESS);

@@ -4,7 +4,7 @@
    points. It took a quarter of the time of a large scene in the plane. Here PETSc's transform is asked once
    for each kind of coarse point: a type with given orientations of its facets. Other points of the kind have
    their parts in the same way. */
-#include "mesh/refinement.h"
+#include "refinement/refinement.h"
 #include "base/compat.h"
 #include <petscdmplextransform.h>
 

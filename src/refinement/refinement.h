@@ -5,7 +5,7 @@
 #ifndef MORTISE_REFINEMENT_H
 #define MORTISE_REFINEMENT_H
 
-#include "mesh/meshimpl.h"
+#include "level/level.h"
 
 enum { REFINEMENT_TYPES = 6, REFINEMENT_PRODUCTS = 4 }; /* vertex, edge, two facets, two solids; of one of them */
 
@@ -23,10 +23,10 @@ typedef struct {
   RefinementProduct product[REFINEMENT_PRODUCTS];
 } RefinementSource;
 
-struct _n_Refinement {
+typedef struct {
   PetscInt         num_sources;
   RefinementSource source[REFINEMENT_TYPES];
-};
+} Refinement;
 
 /* Splits every cell of a DM, with the numbers of DMPlexTransform of type DMPLEXREFINEREGULAR. Labels,
    positions and the points of other ranks follow. Collective. [out] fine - owned by the caller */

@@ -4,7 +4,7 @@
    coarse point (edge or cell) of its origin. Fine vertices are middles of coarse points, other fine nodes are
    middles of fine vertices. So every position is a mean of reference coordinates, for any dimension and
    order. Polynomials of the lower of both orders are reproduced exactly on straight cells. */
-#include "mesh/refinement.h"
+#include "refinement/refinementimpl.h"
 #include "base/compat.h"
 
 /* A Mat under assembly whose rows are this rank's nodes. */

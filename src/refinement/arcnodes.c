@@ -5,11 +5,12 @@
    hexahedron moves by half or a quarter of the sum of its edges' offsets (Coons): cells stay valid.
    Everything happens before maps. */
 #include "kernel/vector.h"
-#include "mesh/refinement.h"
+#include "refinement/arcsums.h"
+#include "refinement/refinementimpl.h"
 #include "kernel/arc.h"
 #include "base/compat.h"
 #include "kernel/frame.h"
-#include "mesh/filearcs.h"
+#include "refinement/filearcs.h"
 #include "side/normalerrors.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };

@@ -1,9 +1,9 @@
 /* sagitta.c -- distances of curves from straight facets and from parabolas. */
-#include "mesh/sagitta.h"
+#include "refinement/sagitta.h"
 #include "base/compat.h"
 #include "kernel/arc.h"
 #include "kernel/vector.h"
-#include "mesh/meshimpl.h"
+#include "refinement/levelrefine.h"
 #include "side/sideshape.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, CURVE_DEGREE = 6 };

@@ -2,7 +2,7 @@
 #ifndef MORTISE_SAGITTA_H
 #define MORTISE_SAGITTA_H
 
-#include "mesh/mesh.h"
+#include "level/facets.h"
 
 /* Boundary facets of this rank whose nodes lie on a curve that finer meshes approximate better. */
 typedef struct {
