@@ -1,5 +1,5 @@
-/* plexpoints.c -- vertices and nodes of a single point of the mesh: a vertex, an edge, a facet, a cell. Room for
-   positions of vertices.
+/* plexpoints.c -- vertices and nodes of a single point of the mesh: a vertex, an edge, a facet, a cell.
+   Coordinates of all vertices.
 
    Vertices are in the order of element.h from any first one, and so are nodes. Orientation of cells is known
    only with positions. */
