@@ -1,7 +1,7 @@
 /* bodycounts.c -- see the header. */
 #include "base/compat.h"
 #include "output/bodycounts.h"
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 
 PetscErrorCode BodyCountsCompute(const Level *level, PetscInt num_bodies, BodyCount counts[])
 {

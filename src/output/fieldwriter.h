@@ -7,7 +7,7 @@
 #define MORTISE_FIELDWRITER_H
 
 #include "result/fields.h"
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 #include "output/fileset.h"
 
 /* Description of a quantity. */

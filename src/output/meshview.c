@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "problem/elasticity.h"
 #include "output/bodycounts.h"
-#include "result/solvabilityreport.h"
+#include "checks/solvabilityreport.h"
 
 /* An edge is straight if its middle is off by no more than this part of its length: files have some ten
    digits. */

@@ -3,7 +3,7 @@
 #define MORTISE_OUTPUT_H
 
 #include "result/fields.h"
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 
 /* User error: the output folder cannot be made or written to. Call it before the solve, so that no work is
    lost. Collective. */

@@ -2,7 +2,7 @@
 #include "base/compat.h"
 #include "base/json.h"
 #include "output/patchsummary.h"
-#include "result/contactpatches.h"
+#include "checks/contactpatches.h"
 
 enum { MOST_PRINTED = 4 }; /* patches on the terminal */
 

@@ -7,7 +7,7 @@
 #include "output/bodycounts.h"
 #include "output/numberwords.h"
 #include "output/setupreport.h"
-#include "result/solvabilityreport.h"
+#include "checks/solvabilityreport.h"
 
 enum { COLUMNS = 8, CELL = 160 };
 

@@ -3,7 +3,7 @@
 #define MORTISE_SETUPREPORT_H
 
 #include <cjson/cJSON.h>
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 
 /* Adds the object "check" of the summary. Collective. */
 PetscErrorCode SetupReportAdd(VI vi, const SetupCheck *check, cJSON *root);

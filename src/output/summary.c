@@ -17,12 +17,12 @@
 #include "base/compat.h"
 #include "base/warning.h"
 #include "output/bodycounts.h"
-#include "result/gapdiscontinuity.h"
+#include "checks/gapdiscontinuity.h"
 #include "output/setupreport.h"
 #include "output/errorreport.h"
 #include "output/solversummary.h"
-#include "result/solvabilityreport.h"
-#include "result/validity.h"
+#include "checks/solvabilityreport.h"
+#include "checks/validity.h"
 
 enum { SCHEMA = 2 }; /* version of the meaning of keys; new keys do not change it */
 

@@ -5,7 +5,7 @@
 #include "result/certificate.h"
 #include "result/energybalance.h"
 #include "result/errors.h"
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 #include "solve/infsup.h"
 #include <cjson/cJSON.h>
 #include "output/output.h"

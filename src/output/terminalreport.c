@@ -9,7 +9,7 @@
 #include "output/patchsummary.h"
 #include "result/frictionfields.h"
 #include "result/pairsum.h"
-#include "result/solvabilityreport.h"
+#include "checks/solvabilityreport.h"
 #include "output/errorreport.h"
 #include "output/numberwords.h"
 

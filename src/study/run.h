@@ -6,7 +6,7 @@
 #include "result/energybalance.h"
 #include "result/errors.h"
 #include "result/fields.h"
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 #include "solve/infsup.h"
 #include "solve/solver.h"
 #include "output/summary.h"

@@ -2,7 +2,7 @@
 #include "base/compat.h"
 #include "rigid/solvability.h"
 #include "test.h"
-#include "result/roundness.h"
+#include "checks/roundness.h"
 
 /* A square becomes a disc. */
 static const char *const disc[] = {"-a_map", "x*sqrt(1-y^2/2), y*sqrt(1-x^2/2)", NULL};

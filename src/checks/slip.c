@@ -1,7 +1,7 @@
 /* slip.c -- relative displacements of the two sides of a pair. */
 #include "base/compat.h"
 #include "kernel/vector.h"
-#include "result/slip.h"
+#include "checks/slip.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 

@@ -3,7 +3,7 @@
    Multipliers are stable if the nonmortar side can follow them. A stiff nonmortar side does not bend between
    the nodes of a soft partner with larger facets. It touches that at a few nodes, with pressures that are too
    high. */
-#include "result/unevenpressure.h"
+#include "checks/unevenpressure.h"
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"

@@ -2,8 +2,8 @@
 #include "base/compat.h"
 #include "base/json.h"
 #include "base/warning.h"
-#include "result/roundness.h"
-#include "result/solvabilityreport.h"
+#include "checks/roundness.h"
+#include "checks/solvabilityreport.h"
 
 /* Bodies that move together, body by body; where one is of several pieces, piece by piece. */
 static void SolvabilityReportAddMotion_Private(VI vi, const SceneMotion *motion, cJSON *object)

@@ -8,7 +8,7 @@
 #include "kernel/disjointsets.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
-#include "result/contactpatches.h"
+#include "checks/contactpatches.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 enum { SIZE_DEGREE = 2 }; /* of the quadrature of a facet's area, which weighs it against others */

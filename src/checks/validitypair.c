@@ -1,12 +1,12 @@
 /* validitypair.c -- errors of linearized gaps, turns of normals, and slips of one pair.
 
    Gaps and normals take a contact search in the deformed configuration. Slips take products with D and M. */
-#include "result/validityimpl.h"
+#include "checks/validityimpl.h"
 #include "base/compat.h"
 #include "contact/deformedgap.h"
 #include "kernel/vector.h"
-#include "result/contactpatches.h"
-#include "result/slip.h"
+#include "checks/contactpatches.h"
+#include "checks/slip.h"
 
 /* Less than this part of an error grows with the square of the displacements: it is of the mesh. */
 static const PetscReal SQUARE_PART = 0.25;

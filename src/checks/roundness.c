@@ -4,7 +4,7 @@
    not at all. */
 #include "base/compat.h"
 #include "kernel/vector.h"
-#include "result/roundness.h"
+#include "checks/roundness.h"
 
 /* Facets that meet at less than 30 degrees are taken for a smooth curve: each is half of that from the mean
    normal. Flat is less. */

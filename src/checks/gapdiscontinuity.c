@@ -7,7 +7,7 @@
    follow their curves it is less than a thousandth of the displacements. */
 #include "base/compat.h"
 #include "base/json.h"
-#include "result/gapdiscontinuity.h"
+#include "checks/gapdiscontinuity.h"
 #include "result/largest.h"
 
 /* Such an overlap is reported above this part of the largest displacement along the normals. */

@@ -3,7 +3,7 @@
 #include "base/compat.h"
 #include "base/json.h"
 #include "base/warning.h"
-#include "result/validityimpl.h"
+#include "checks/validityimpl.h"
 
 /* An indicator is green below the first number and red above the second: errors of one and of some per cent;
    a slip of half a facet and of two, where nodes face other facets than those that they are coupled with. */

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "base/compat.h"
 #include "kernel/vector.h"
-#include "result/setupcheck.h"
+#include "checks/setupcheck.h"
 #include "result/sidenodes.h"
 
 enum {

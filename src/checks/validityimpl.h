@@ -3,7 +3,7 @@
 #define MORTISE_VALIDITYIMPL_H
 
 #include "result/largest.h"
-#include "result/validity.h"
+#include "checks/validity.h"
 
 /* Errors of gaps below this part of their scale are green. */
 static const PetscReal VALIDITY_GREEN_GAP = 0.01;

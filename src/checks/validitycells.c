@@ -1,5 +1,5 @@
 /* validitycells.c -- the neglected share of Green's strain, and rotations: one pass over the cells. */
-#include "result/validityimpl.h"
+#include "checks/validityimpl.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
 
