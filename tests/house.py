@@ -180,6 +180,8 @@ def check_comments(top):
 NO_MPI = {"kernel"}  # modules whose functions are never collective
 DECLARATION = re.compile(r"^PetscErrorCode +([A-Z]\w*)\(", re.MULTILINE)
 CONTRACT = re.compile(r"ollective|irst rank")
+FUNCTION = re.compile(r"\s*\n\w[^;{}()=#]*\([^;{}]*\)\s*([;{])")
+PARAMETERS = re.compile(r"\[(in|out|in,out)\]\s+(\w+(?:,\s+\w+)*)\s+-")
 
 
 def check_contracts(top):
@@ -193,6 +195,23 @@ def check_contracts(top):
             above = [comment for begin, comment in comments if begin < match.start()][-1]
             if not CONTRACT.search(above) and not match.group(1).endswith("Destroy"):
                 yield f"{path.relative_to(top)}: {match.group(1)}() does not say whether it is collective"
+    for path in sources(top):
+        yield from check_parameters(path.relative_to(top), path.read_text())
+
+
+def check_parameters(file, text):
+    """What a comment above a function says of a parameter has the name of one: of an output that of an argument or a member, of an input at least a name in the function."""
+    for begin, comment, end in read_comments(text):
+        match = FUNCTION.match(text, end)
+        if not match or text[text.rfind("\n", 0, begin) + 1:begin].strip():
+            continue
+        block = text[end:(text + "\n}\n\n").index("\n}\n" if match.group(1) == "{" else "\n\n", end)]
+        words = set(re.findall(r"\w+", strip_comments(block)))
+        arguments = set(re.findall(r"\w+", block[:match.end() - end] if match.group(1) == "{" else block)) | set(re.findall(r"->(\w+)", block))
+        for kind, names in PARAMETERS.findall(comment):
+            for name in re.split(r",\s+", names):
+                if name not in (words if kind == "in" else arguments):
+                    yield f"{file}:{text.count(chr(10), 0, begin) + 1}: [{kind}] {name} is no parameter"
 
 
 # --- options ----------------------------------------------------------------------------------------------------------

@@ -68,7 +68,7 @@ typedef struct {
   PetscInt    rows;
 } Rows;
 
-/* [out] rows - 0 rows after a failure */
+/* Opens a dataset; after a failure it has no rows. */
 static Rows HDF5MeshOpenRows_Private(Reader *reader, const char name[], PetscInt columns)
 {
   Rows    rows     = {.name = name, .set = -1};
@@ -225,7 +225,7 @@ static void HDF5MeshCountRows_Private(Reader *reader, PetscInt num[], PetscInt *
   }
 }
 
-/* Appends an element. [in] nodes - in Gmsh's order [type->num_nodes]; [in] set - of its groups */
+/* Appends an element. [in] nodes - in Gmsh's order [type->num_nodes]; [in] all_nodes - of the file */
 static void HDF5MeshAddElement_Private(Reader *reader, const GmshType *type, const PetscInt nodes[], PetscInt all_nodes,
                                        GmshMesh *mesh)
 {

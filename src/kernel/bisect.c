@@ -297,7 +297,7 @@ static PetscBool EdgeIsLonger_Private(EdgeRank a, EdgeRank b)
 }
 
 /* The longest edge among some vertices of a cell.
-   [in] places - of those vertices in the cell [num]; [out] i, j - places of its ends */
+   [in] places - of those vertices in the cell [num]; [out] longest - places of its ends */
 static void CellFindLongest_Private(const Bisection *mesh, const PetscReal coords[], PetscReal unit, PetscInt cell,
                                     PetscInt num, const PetscInt places[], PetscInt longest[2])
 {

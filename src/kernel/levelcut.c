@@ -161,7 +161,7 @@ static void BoxHalve_Private(LevelSetBox *box, PetscInt axis, LevelSetBox *other
 }
 
 /* Adds the integral over a box.
-   [in] trend - of its functions, all of which may be zero in it; NULL where neither is known */
+   [in] known - trends of its functions, all of which may be zero in it; NULL where neither is known */
 static PetscErrorCode LevelCutBox_Private(Cut *cut, const LevelSetBox *given, const LevelSetTrend *known,
                                           PetscInt depth, PetscReal value[])
 {

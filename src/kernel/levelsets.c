@@ -98,8 +98,8 @@ static PetscErrorCode LevelSetEvaluate_Private(const LevelSetCell *cell, const L
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The zero of function i between two points of a line, at which it has opposite signs [2].
-   [in] x, f - [2]; [out] u - [line] is set */
+/* The zero of function i between two points of a line, at which it has opposite signs.
+   [in] ends - coordinate and value at both; [out] u - [line] is set */
 static PetscErrorCode LevelSetBracketZero_Private(const LevelSetCell *cell, const LevelSetBox *box, PetscInt i,
                                                   PetscInt line, const PetscReal ends[][2], PetscReal u[])
 {

@@ -180,7 +180,7 @@ static void RiseGetPlace_Private(ElementType type, const PetscReal X[], const Pe
 }
 
 /* Height of the side above a place x inside, opposite to edge e, by what is known at the vertices and on the
-   edges. [in] n - of the plane of the vertices; [in] xi, flat - of the place, below it */
+   edges. [in] n - of the plane of the vertices; [in] xi - of the place in this plane below x */
 static PetscReal RiseHeight_Private(ElementType type, PetscInt e, const RiseFacet *facet, const PetscReal rise[],
                                     const PetscReal n[3], const PetscReal xi[], const PetscReal x[3])
 {

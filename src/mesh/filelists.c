@@ -148,7 +148,7 @@ static PetscErrorCode ListCreateNodes_Private(const Files *files, const PetscInt
 }
 
 /* The list of one body. Collective.
-   [in] tag - of its sides [num_sides]; [out] ids - of its vertices [list->num_vertices], freed by the
+   [in] sides - of this body; [out] ids - of its vertices [list->num_vertices], freed by the
    caller */
 static PetscErrorCode ListCreate_Private(Scene scene, const Files *files, const FileCells *cells, PetscInt body,
                                          const SideTags *sides, BodyList *list, PetscInt **ids)

@@ -42,7 +42,7 @@ typedef struct {
 PetscErrorCode FileCellsAllocate(PetscInt num, PetscInt max_nodes, FileCells *cells);
 PetscErrorCode FileCellsDestroy(FileCells *cells);
 /* The cells of all bodies. Collective.
-   [in] names - of sides of each body; [out] good - the same on all ranks */
+   [in,out] good - becomes false where parts cannot be joined; the same on all ranks */
 PetscErrorCode FileCellsCreate(Scene scene, const Files *files, FileCells *cells, PetscBool *good);
 /* Finds neighbours and groups of facets. Collective. [in,out] good */
 PetscErrorCode FileCellsConnect(const Files *files, FileCells *cells, PetscBool *good);

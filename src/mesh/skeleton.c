@@ -113,7 +113,8 @@ static PetscInt ShapesFind_Private(Shapes *shapes, ElementType type, const Petsc
   return head[lowest]   = shapes->num - 1;
 }
 
-/* One shape's facets. [in] first - where they are in the cone */
+/* The cone of one shape: its facets, those that are new appended to lower.
+   [in,out] head, next - lists of lower by their lowest vertex, of ShapesFind_Private() */
 static PetscErrorCode ShapeBound_Private(Shapes *upper, PetscInt shape, const Pattern *pattern, Shapes *lower,
                                          PetscInt head[], PetscInt next[])
 {

@@ -156,8 +156,8 @@ static PetscErrorCode ConvergenceTestEnergy_Private(FullSolver *t, PetscBool *se
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether to evaluate an iterate; for stopping at the discretization error always. [out] enough - whether it
-   is the last one */
+/* Whether to evaluate an iterate; for stopping at the discretization error always.
+   [out] error_reduction - whether the error has fallen as far as is asked for, which ends the iteration */
 static PetscErrorCode ConvergenceIsDue_Private(ActiveSolver solver, PetscInt it, PetscReal norm, PetscBool *due,
                                                PetscBool *error_reduction)
 {
@@ -198,7 +198,7 @@ static PetscErrorCode ConvergenceTestFinal_Private(ActiveSolver solver, PetscBoo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Evaluates an iterate. [in] enough - of ConvergenceIsDue_Private(); [out] stop */
+/* Evaluates an iterate. [in] error_reduction - of ConvergenceIsDue_Private(); [out] stop */
 static PetscErrorCode ConvergenceTestIterate_Private(ActiveSolver solver, PetscReal norm, PetscBool error_reduction,
                                                      PetscBool *stop)
 {

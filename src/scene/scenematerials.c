@@ -193,8 +193,7 @@ static PetscErrorCode MaterialReadElastic_Private(const Reader *r)
 }
 
 /* Raises a user error where the six numbers of a plane Hooke matrix do not tell what a strain across the
-   plane does.
-   [in] across - which component that is */
+   plane does. [in] e - the thermal expansion or the initial strain; NULL without one */
 static PetscErrorCode MaterialCheckAcross_Private(const Reader *r, const Option *option, Expression e)
 {
   const PetscReal origin[3] = {0, 0, 0};

@@ -208,8 +208,8 @@ static PetscErrorCode InsidesSolve_Private(const Insides *insides, Mat K, Mat P,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The row of a node inside, the shape functions less that. [in] r - counted in the cell; [in] less - of the
-   cell; [in] P, row - of the shape functions;
+/* The row of a node inside a cell: the shape functions less a correction.
+   [in] less - the correction, one for each unknown of the cell; [in] P, row - the shape functions;
    [out] columns, values - ascending, one for each unknown of the cell */
 static PetscErrorCode CellGetRow_Private(const Level *coarse, PetscInt c, const PetscReal less[], Mat P, PetscInt row,
                                          PetscInt columns[], PetscScalar values[])

@@ -20,7 +20,7 @@ static const PetscReal ROW_ROUNDOFF = 64 * PETSC_MACHINE_EPSILON;
 /* Prefix of the options of the second SNES. */
 static const char PREFIX[] = "cross_check_";
 
-/* Gets values and forces b - A y of all bounded unknowns. [out] y, r - [set->n] */
+/* Gets values and forces b - A y of all bounded unknowns. [out] values, forces - [set->n] */
 static PetscErrorCode CrossCheckGetValues_Private(VI vi, const ActiveSet *set, Vec y, PetscReal values[],
                                                   PetscReal forces[])
 {

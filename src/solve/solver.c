@@ -31,7 +31,7 @@ static PetscErrorCode SolverIterateProximal_Private(SolverContext *context, Vec 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Starts from the solutions of coarser levels. [out] gained - of NestedIterationStart() */
+/* Starts from the solutions of coarser levels. [out] energy_decrease - of NestedIterationStart() */
 static PetscErrorCode SolverStartNested_Private(SolverContext *context, Vec y, PetscReal *energy_decrease)
 {
   PetscBool pdas, found;

@@ -71,8 +71,7 @@ PetscErrorCode SolverDestroy(Solver *solver);
    the levels, NULL then */
 PetscErrorCode SolverExtend(Solver solver, Solver older, VI *vi);
 /* The loads, given displacements and gaps of vi have changed, and its solvability: what was kept serves them.
-   Collective.
-   [in] solvability - of vi, borrowed; the one of before, but for its values */
+   Collective. */
 PetscErrorCode SolverUpdate(Solver solver);
 /* Solves by -snes_type (default pdas); progress lines where the scene wants them. Not converging is not an
    error: the report says so. Collective.
