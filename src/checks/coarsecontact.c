@@ -12,6 +12,7 @@
 #include "kernel/wedge.h"
 #include "checks/coarsecontact.h"
 #include "checks/contactpatches.h"
+#include "level/ghosted.h"
 #include "result/pairsum.h"
 #include "result/sidecorners.h"
 #include "side/sidemeasure.h"
@@ -98,19 +99,16 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   const PetscReal   *axis  = patch->axis[dim - 2];
   const PetscScalar *mark, *way, *angle;
   Facets             facets;
-  Vec                ways, angles, local[3];
+  Vec                ways, angles;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < NUM_ENDS; i++) ends[i] = 0;
   PetscCall(LevelGetFacets(level, vi->scene, pair->spec->nonmortar.body, pair->spec->nonmortar.side, &facets));
   PetscCall(SideCornersGetEnds(level, &facets, &ways));
   PetscCall(SideCornersGetAngles(level, pair->spec->nonmortar.body, &angles));
-  PetscCall(VecGhostGetLocalForm(marks, &local[0]));
-  PetscCall(VecGhostGetLocalForm(ways, &local[1]));
-  PetscCall(VecGhostGetLocalForm(angles, &local[2]));
-  PetscCall(VecGetArrayRead(local[0], &mark));
-  PetscCall(VecGetArrayRead(local[1], &way));
-  PetscCall(VecGetArrayRead(local[2], &angle));
+  PetscCall(GhostedGetArrayRead(marks, &mark));
+  PetscCall(GhostedGetArrayRead(ways, &way));
+  PetscCall(GhostedGetArrayRead(angles, &angle));
   for (PetscInt f = 0; f < facets.num; f++) {
     const PetscInt *nodes = &facets.nodes[f * F], num = ElementNumNodes(facets.type[f]);
 
@@ -131,12 +129,9 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   }
   for (PetscInt a = 0; a < pair->num; a++)
     if (PairSumEndsPartner(pair, a) && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_PARTNERS] = 1;
-  PetscCall(VecRestoreArrayRead(local[2], &angle));
-  PetscCall(VecRestoreArrayRead(local[1], &way));
-  PetscCall(VecRestoreArrayRead(local[0], &mark));
-  PetscCall(VecGhostRestoreLocalForm(angles, &local[2]));
-  PetscCall(VecGhostRestoreLocalForm(ways, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(marks, &local[0]));
+  PetscCall(GhostedRestoreArrayRead(angles, &angle));
+  PetscCall(GhostedRestoreArrayRead(ways, &way));
+  PetscCall(GhostedRestoreArrayRead(marks, &mark));
   PetscCall(VecDestroy(&angles));
   PetscCall(VecDestroy(&ways));
   PetscCall(FacetsDestroy(&facets));

@@ -9,6 +9,7 @@
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "checks/contactpatches.h"
+#include "level/ghosted.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 enum { SIZE_DEGREE = 2 }; /* of the quadrature of a facet's area, which weighs it against others */
@@ -90,13 +91,11 @@ static PetscErrorCode PatchSpreadLabels_Private(Level *level, const Facets *face
   PetscBool    changed = PETSC_TRUE;
   PetscInt    *parent;
   PetscScalar *label;
-  Vec          local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->num_nodes, &parent));
   for (PetscInt round = 0; changed; round++) {
-    PetscCall(VecGhostGetLocalForm(labels, &local));
-    PetscCall(VecGetArray(local, &label));
+    PetscCall(GhostedGetArray(labels, &label));
     if (round == 0) PatchJoinFacets_Private(facets, level->num_nodes, label, parent);
     changed = PETSC_FALSE;
     for (PetscInt i = 0; i < level->num_nodes; i++) {
@@ -113,8 +112,7 @@ static PetscErrorCode PatchSpreadLabels_Private(Level *level, const Facets *face
       label[i] = label[root];
       changed  = PETSC_TRUE;
     }
-    PetscCall(VecRestoreArray(local, &label));
-    PetscCall(VecGhostRestoreLocalForm(labels, &local));
+    PetscCall(GhostedRestoreArray(labels, &label));
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &changed, 1, MPIU_BOOL, MPI_LOR, level->comm));
     if (changed) PetscCall(LevelShareVec(labels, MAX_VALUES));
   }
@@ -160,12 +158,10 @@ static PetscErrorCode PatchNumber_Private(Vec labels, PatchNodes *nodes, Contact
   const VI           vi     = fields->vi;
   PetscInt           num    = 0, *mine, *all;
   const PetscScalar *label;
-  Vec                local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(vi->num_rows, &mine));
-  PetscCall(VecGhostGetLocalForm(labels, &local));
-  PetscCall(VecGetArrayRead(local, &label));
+  PetscCall(GhostedGetArrayRead(labels, &label));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (PatchIsRow_Private(fields, p, r))
       mine[num++] = (PetscInt)PetscRealPart(label[vi->pairs[p]->nodes[vi->row_node[r]]]);
@@ -177,8 +173,7 @@ static PetscErrorCode PatchNumber_Private(Vec labels, PatchNodes *nodes, Contact
     PetscCall(PetscFindInt((PetscInt)PetscRealPart(label[i]), patches->num, all, &nodes->patch[i]));
     if (nodes->patch[i] < 0) nodes->patch[i] = -1;
   }
-  PetscCall(VecRestoreArrayRead(local, &label));
-  PetscCall(VecGhostRestoreLocalForm(labels, &local));
+  PetscCall(GhostedRestoreArrayRead(labels, &label));
   for (PetscInt r = 0; r < vi->num_rows; r++)
     patches->row_patch[r] = PatchIsRow_Private(fields, p, r) ? nodes->patch[vi->pairs[p]->nodes[vi->row_node[r]]] : -1;
   PetscCall(PetscCalloc1(patches->num, &patches->patch));

@@ -7,6 +7,7 @@
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "result/largest.h"
 #include "result/pairsum.h"
 #include "result/sidecorners.h"
@@ -85,14 +86,11 @@ static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p
   const PetscScalar *row;
   PetscScalar       *sum;
   PetscInt           at = 0;
-  Vec                local[2];
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, NUM_SUMS, sums));
-  PetscCall(VecGhostGetLocalForm(rows, &local[0]));
-  PetscCall(VecGhostGetLocalForm(*sums, &local[1]));
-  PetscCall(VecGetArrayRead(local[0], &row));
-  PetscCall(VecGetArray(local[1], &sum));
+  PetscCall(GhostedGetArrayRead(rows, &row));
+  PetscCall(GhostedGetArray(*sums, &sum));
   for (PetscInt f = 0; f < points->facets.num; f++) {
     const PetscInt *nodes = &points->facets.nodes[f * F];
     PetscReal       of[NUM_SUMS];
@@ -101,10 +99,8 @@ static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p
     for (PetscInt i = 0; i < ElementNumNodes(points->facets.type[f]); i++)
       for (PetscInt k = 0; k < NUM_SUMS; k++) sum[nodes[i] * NUM_SUMS + k] += of[k];
   }
-  PetscCall(VecRestoreArray(local[1], &sum));
-  PetscCall(VecRestoreArrayRead(local[0], &row));
-  PetscCall(VecGhostRestoreLocalForm(*sums, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(rows, &local[0]));
+  PetscCall(GhostedRestoreArray(*sums, &sum));
+  PetscCall(GhostedRestoreArrayRead(rows, &row));
   PetscCall(LevelShareVec(*sums, ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -2,6 +2,7 @@
 #include "checks/validityimpl.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 
 /* Strain and rotation are those that this part of a body's strain energy exceeds. At a corner of infinite
    stress the largest ones grow without limit as cells get smaller. A rotation moves all that hangs on a
@@ -70,12 +71,10 @@ static PetscErrorCode ValidityCellsAddAll_Private(Fields fields, PetscReal refer
   ElementRule       *rule;
   const PetscScalar *u;
   PetscInt           type = -1;
-  Vec                local;
 
   PetscFunctionBeginUser;
   PetscCall(PetscNew(&rule));
-  PetscCall(VecGhostGetLocalForm(fields->u, &local));
-  PetscCall(VecGetArrayRead(local, &u));
+  PetscCall(GhostedGetArrayRead(fields->u, &u));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     if (level->cell_type[c] != type) {
       type = level->cell_type[c];
@@ -83,8 +82,7 @@ static PetscErrorCode ValidityCellsAddAll_Private(Fields fields, PetscReal refer
     }
     ValidityCellsAdd_Private(fields, c, rule, u, reference, sizes);
   }
-  PetscCall(VecRestoreArrayRead(local, &u));
-  PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
+  PetscCall(GhostedRestoreArrayRead(fields->u, &u));
   PetscCall(PetscFree(rule));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -9,6 +9,7 @@
 #include "contact/obstacle.h"
 #include "contact/mortarintegrals.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -295,15 +296,11 @@ static PetscErrorCode ContactNormalDescribeNodes_Private(Level *level, const Fac
   const PetscScalar *oa;
   PetscScalar       *ea;
   PetscReal          X[3 * F];
-  Vec                local[2];
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, NODE_COUNT, nodes));
-  PetscCall(VecGhostGetLocalForm(own, &local[0]));
-  PetscCall(VecGhostGetLocalForm(*nodes, &local[1]));
-  PetscCall(VecZeroEntries(local[1]));
-  PetscCall(VecGetArrayRead(local[0], &oa));
-  PetscCall(VecGetArray(local[1], &ea));
+  PetscCall(GhostedGetArrayRead(own, &oa));
+  PetscCall(GhostedGetArray(*nodes, &ea));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt num      = ElementNumNodes(facets->type[f]);
     PetscReal      N[3 * F] = {0}, size;
@@ -322,10 +319,8 @@ static PetscErrorCode ContactNormalDescribeNodes_Private(Level *level, const Fac
       e[NODE_SIZE]   = PetscMax(PetscRealPart(e[NODE_SIZE]), size);
     }
   }
-  PetscCall(VecRestoreArray(local[1], &ea));
-  PetscCall(VecRestoreArrayRead(local[0], &oa));
-  PetscCall(VecGhostRestoreLocalForm(*nodes, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(own, &local[0]));
+  PetscCall(GhostedRestoreArray(*nodes, &ea));
+  PetscCall(GhostedRestoreArrayRead(own, &oa));
   PetscCall(LevelShareVec(*nodes, MAX_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

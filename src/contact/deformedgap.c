@@ -8,6 +8,7 @@
 #include "kernel/vector.h"
 #include "contact/deformedgap.h"
 #include "contact/pairassembly.h"
+#include "level/ghosted.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -83,16 +84,13 @@ PetscErrorCode DeformedLevelCreate(Level *level, PairAssembly *assembly, MortarS
   const PetscInt     dim = level->dim;
   PetscReal          X[2][3 * F];
   const PetscScalar *u;
-  Vec                local;
 
   PetscFunctionBeginUser;
   *moved = *level;
   PetscCall(PetscMalloc1(level->num_nodes * dim, &moved->coords));
-  PetscCall(VecGhostGetLocalForm(assembly->displacement, &local));
-  PetscCall(VecGetArrayRead(local, &u));
+  PetscCall(GhostedGetArrayRead(assembly->displacement, &u));
   for (PetscInt i = 0; i < level->num_nodes * dim; i++) moved->coords[i] = level->coords[i] + PetscRealPart(u[i]);
-  PetscCall(VecRestoreArrayRead(local, &u));
-  PetscCall(VecGhostRestoreLocalForm(assembly->displacement, &local));
+  PetscCall(GhostedRestoreArrayRead(assembly->displacement, &u));
   PetscCall(NodalNormalsCreate(level, &assembly->nonmortar, &assembly->shape, &assembly->own[0]));
   for (PetscInt f = 0; f < assembly->nonmortar.num; f++) {
     ContactFacetCoordinates(level, &assembly->nonmortar, f, X[0]);
@@ -119,7 +117,7 @@ static PetscErrorCode DeformedGapKeepNodes_Private(Pair pair, MultiplierStatus s
   Level             *level = pair->level;
   PetscScalar       *mark;
   const PetscScalar *kept;
-  Vec                marks, local;
+  Vec                marks;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &marks));
@@ -127,13 +125,11 @@ static PetscErrorCode DeformedGapKeepNodes_Private(Pair pair, MultiplierStatus s
   for (PetscInt k = 0; k < pair->num; k++) mark[pair->nodes[k]] = 1;
   PetscCall(VecRestoreArray(marks, &mark));
   PetscCall(LevelShareVec(marks, INSERT_VALUES));
-  PetscCall(VecGhostGetLocalForm(marks, &local));
-  PetscCall(VecGetArrayRead(local, &kept));
+  PetscCall(GhostedGetArrayRead(marks, &kept));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     if (status[i] == NODE_KEPT && PetscRealPart(kept[i]) == 0) status[i] = NODE_REMOVED;
   }
-  PetscCall(VecRestoreArrayRead(local, &kept));
-  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(GhostedRestoreArrayRead(marks, &kept));
   PetscCall(VecDestroy(&marks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -5,26 +5,24 @@
 #include "base/compat.h"
 #include "contact/mortarintegrals.h"
 #include "kernel/rise.h"
+#include "level/ghosted.h"
 
 PetscErrorCode MortarIntegralsCreateMat(Level *level, const Facets *facets, const PetscInt entries[], PetscInt bs,
                                         Mat *A)
 {
   const PetscInt rows = bs * level->num_owned, all = bs * level->num_global;
-  Vec            counts, local;
+  Vec            counts;
   PetscScalar   *ca;
   PetscInt      *d_nnz, *o_nnz;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &counts));
-  PetscCall(VecGhostGetLocalForm(counts, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGetArray(local, &ca));
+  PetscCall(GhostedGetArray(counts, &ca));
   for (PetscInt f = 0; f < facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
       ca[facets->nodes[f * ELEMENT_MAX_FACET_NODES + i]] += (PetscReal)entries[f];
   }
-  PetscCall(VecRestoreArray(local, &ca));
-  PetscCall(VecGhostRestoreLocalForm(counts, &local));
+  PetscCall(GhostedRestoreArray(counts, &ca));
   PetscCall(LevelShareVec(counts, ADD_VALUES));
   PetscCall(PetscMalloc2(rows, &d_nnz, rows, &o_nnz));
   PetscCall(VecGetArray(counts, &ca));
@@ -273,12 +271,10 @@ static PetscErrorCode MortarIntegralsCompute_Private(Level *level, const FacetPa
   const PetscScalar *na;
   const Facets      *at = &sums->carrying.facets;
   OverlapPoints      list;
-  Vec                local;
 
   PetscFunctionBeginUser;
   PetscCall(OverlapPointsCreate(dim, &list));
-  PetscCall(VecGhostGetLocalForm(normals, &local));
-  PetscCall(VecGetArrayRead(local, &na));
+  PetscCall(GhostedGetArrayRead(normals, &na));
   for (PetscInt f = 0; f < facets->num; f++) {
     const ClipFacet facet  = {facets->type[f], X, N};
     const PetscInt  number = sums->carrying.number[f];
@@ -296,8 +292,7 @@ static PetscErrorCode MortarIntegralsCompute_Private(Level *level, const FacetPa
         partner, &facet, &rows, partner->rises ? &partner->rises[f * RISE_TERMS * dim] : NULL, &list, &integrals[f]));
     if (sums->points) PetscCall(PairPointsAdd(sums->points, f, &list));
   }
-  PetscCall(VecRestoreArrayRead(local, &na));
-  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(GhostedRestoreArrayRead(normals, &na));
   PetscCall(OverlapPointsDestroy(&list));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -9,6 +9,7 @@
 #include "kernel/frame.h"
 #include "contact/pairassembly.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 
 /* A normal whose free part is shorter than this is fixed: no multiplier. */
 static const PetscReal HELD_NORMAL = 0.1;
@@ -54,19 +55,16 @@ PetscErrorCode MultiplierStatusProjectNormals(const Level *level, const Support 
 {
   PetscReal    n[3];
   PetscScalar *N;
-  Vec          local;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(normals, &local));
-  PetscCall(VecGetArray(local, &N));
+  PetscCall(GhostedGetArray(normals, &N));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     if (oblique && oblique[i]) continue;
     PetscCall(PetscArraycpy(n, &N[i * level->dim], level->dim));
     if (MultiplierStatusProjectNormal_Private(support, i, n))
       PetscCall(PetscArraycpy(&N[i * level->dim], n, level->dim));
   }
-  PetscCall(VecRestoreArray(local, &N));
-  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(GhostedRestoreArray(normals, &N));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

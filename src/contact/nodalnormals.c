@@ -6,6 +6,7 @@
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "contact/mortarintegrals.h"
+#include "level/ghosted.h"
 
 /* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
 static const PetscReal SMOOTH_NORMAL = 0.92387953251128674;
@@ -14,15 +15,12 @@ PetscErrorCode NodalNormalsShare(Level *level, Vec normals)
 {
   const PetscInt dim = level->dim;
   PetscScalar   *na;
-  Vec            local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelShareVec(normals, ADD_VALUES));
-  PetscCall(VecGhostGetLocalForm(normals, &local));
-  PetscCall(VecGetArray(local, &na));
+  PetscCall(GhostedGetArray(normals, &na));
   for (PetscInt i = 0; i < level->num_nodes; i++) FrameNormalize(dim, &na[i * dim]);
-  PetscCall(VecRestoreArray(local, &na));
-  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(GhostedRestoreArray(normals, &na));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -60,13 +58,10 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
   const PetscInt dim = level->dim;
   PetscReal      X[3 * ELEMENT_MAX_FACET_NODES], N[3 * ELEMENT_MAX_FACET_NODES];
   PetscScalar   *na;
-  Vec            local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, dim, normals));
-  PetscCall(VecGhostGetLocalForm(*normals, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGetArray(local, &na));
+  PetscCall(GhostedGetArray(*normals, &na));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt n = ElementNumNodes(facets->type[f]), corner = f * ELEMENT_MAX_FACET_NODES;
 
@@ -79,8 +74,7 @@ PetscErrorCode NodalNormalsCreate(Level *level, const Facets *facets, const Side
       for (PetscInt k = 0; k < dim; k++) na[facets->nodes[corner + i] * dim + k] += add[k];
     }
   }
-  PetscCall(VecRestoreArray(local, &na));
-  PetscCall(VecGhostRestoreLocalForm(*normals, &local));
+  PetscCall(GhostedRestoreArray(*normals, &na));
   PetscCall(NodalNormalsShare(level, *normals));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -120,18 +114,15 @@ static PetscErrorCode NodalNormalsFill_Private(Level *level, Vec normals)
 PetscErrorCode NodalNormalsConform(Level *level, Vec normals)
 {
   PetscScalar *na;
-  Vec          local;
 
   PetscFunctionBeginUser;
   if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(NodalNormalsFill_Private(level, normals));
   PetscCall(LevelConform(level, level->dim, normals));
-  PetscCall(VecGhostGetLocalForm(normals, &local));
-  PetscCall(VecGetArray(local, &na));
+  PetscCall(GhostedGetArray(normals, &na));
   for (PetscInt i = 0; i < level->num_nodes; i++)
     if (LevelNodeHangs(level, i)) FrameNormalize(level->dim, &na[i * level->dim]);
-  PetscCall(VecRestoreArray(local, &na));
-  PetscCall(VecGhostRestoreLocalForm(normals, &local));
+  PetscCall(GhostedRestoreArray(normals, &na));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -177,26 +168,19 @@ static PetscErrorCode NodalNormalsTakeSeeing_Private(const Level *level, Vec sha
   const PetscInt     dim = level->dim;
   const PetscScalar *mark, *see;
   PetscScalar       *na;
-  Vec                local[3];
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(sharp, &local[0]));
-  PetscCall(VecGhostGetLocalForm(seeing, &local[1]));
-  PetscCall(VecGhostGetLocalForm(normals, &local[2]));
-  PetscCall(VecGetArrayRead(local[0], &mark));
-  PetscCall(VecGetArrayRead(local[1], &see));
-  PetscCall(VecGetArray(local[2], &na));
+  PetscCall(GhostedGetArrayRead(sharp, &mark));
+  PetscCall(GhostedGetArrayRead(seeing, &see));
+  PetscCall(GhostedGetArray(normals, &na));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     PetscReal size = 0;
     for (PetscInt k = 0; k < dim; k++) size += PetscAbsScalar(see[i * dim + k]);
     if (mark[i] > 0 && size > 0) PetscCall(PetscArraycpy(&na[i * dim], &see[i * dim], dim));
   }
-  PetscCall(VecRestoreArray(local[2], &na));
-  PetscCall(VecRestoreArrayRead(local[1], &see));
-  PetscCall(VecRestoreArrayRead(local[0], &mark));
-  PetscCall(VecGhostRestoreLocalForm(normals, &local[2]));
-  PetscCall(VecGhostRestoreLocalForm(seeing, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(sharp, &local[0]));
+  PetscCall(GhostedRestoreArray(normals, &na));
+  PetscCall(GhostedRestoreArrayRead(seeing, &see));
+  PetscCall(GhostedRestoreArrayRead(sharp, &mark));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -8,6 +8,7 @@
 #include "contact/slidingnodes.h"
 #include "contact/obliqueholds.h"
 #include "contact/obstacle.h"
+#include "level/ghosted.h"
 
 /* Parts of a direction below this one change forces by less than their thousandth. */
 static const PetscReal OBLIQUE = 1e-3;
@@ -50,16 +51,13 @@ static PetscErrorCode ObliqueHoldsFindTurns_Private(Level *level, const Support 
 {
   enum { F = ELEMENT_MAX_FACET_NODES };
   const PetscInt     dim = level->dim;
-  Vec                local[2];
   const PetscScalar *n;
   PetscScalar       *turn;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, turns));
-  PetscCall(VecGhostGetLocalForm(assembly->directions, &local[0]));
-  PetscCall(VecGhostGetLocalForm(*turns, &local[1]));
-  PetscCall(VecGetArrayRead(local[0], &n));
-  PetscCall(VecGetArray(local[1], &turn));
+  PetscCall(GhostedGetArrayRead(assembly->directions, &n));
+  PetscCall(GhostedGetArray(*turns, &turn));
   for (PetscInt f = 0; f < assembly->nonmortar.num; f++) {
     const PetscInt *nodes = &assembly->nonmortar.nodes[f * F], num = ElementNumNodes(assembly->nonmortar.type[f]);
 
@@ -75,10 +73,8 @@ static PetscErrorCode ObliqueHoldsFindTurns_Private(Level *level, const Support 
       }
     }
   }
-  PetscCall(VecRestoreArray(local[1], &turn));
-  PetscCall(VecRestoreArrayRead(local[0], &n));
-  PetscCall(VecGhostRestoreLocalForm(*turns, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(assembly->directions, &local[0]));
+  PetscCall(GhostedRestoreArray(*turns, &turn));
+  PetscCall(GhostedRestoreArrayRead(assembly->directions, &n));
   PetscCall(LevelShareVec(*turns, MAX_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -190,7 +186,7 @@ static PetscErrorCode ObliqueHoldsKeepLonely_Private(Level *level, const Facets 
 PetscErrorCode ObliqueHoldsFind(Level *level, const Support *support, const FacetPartner *partner,
                                 const PairAssembly *assembly, PetscBool **oblique)
 {
-  Vec                marks, local;
+  Vec                marks;
   const PetscScalar *mark;
   PetscReal          most;
   PetscBool          any;
@@ -203,11 +199,9 @@ PetscErrorCode ObliqueHoldsFind(Level *level, const Support *support, const Face
     PetscCall(VecNorm(marks, NORM_INFINITY, &most));
     if (most > 0) {
       PetscCall(PetscMalloc1(level->num_nodes, oblique));
-      PetscCall(VecGhostGetLocalForm(marks, &local));
-      PetscCall(VecGetArrayRead(local, &mark));
+      PetscCall(GhostedGetArrayRead(marks, &mark));
       for (PetscInt i = 0; i < level->num_nodes; i++) (*oblique)[i] = (PetscBool)(PetscRealPart(mark[i]) > 0);
-      PetscCall(VecRestoreArrayRead(local, &mark));
-      PetscCall(VecGhostRestoreLocalForm(marks, &local));
+      PetscCall(GhostedRestoreArrayRead(marks, &mark));
     }
   }
   PetscCall(VecDestroy(&marks));

@@ -7,6 +7,7 @@
    pair constrains several nodes in a row. */
 #include "base/compat.h"
 #include "contact/redistribution.h"
+#include "level/ghosted.h"
 
 /* Least weight of a kept node with the rows that it takes over, as a share of its own. With less, its dual
    function would be negative on as much of the side as positive. */
@@ -30,14 +31,12 @@ static PetscBool RedistributionAreNeighbours_Private(ElementType type, PetscInt 
 static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets *facets, const MortarIntegrals *sums,
                                                      PetscInt k, PetscInt ring[], PetscBool *found)
 {
-  Vec          flags, local;
+  Vec          flags;
   PetscScalar *flag;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &flags));
-  PetscCall(VecGhostGetLocalForm(flags, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGetArray(local, &flag));
+  PetscCall(GhostedGetArray(flags, &flag));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * ELEMENT_MAX_FACET_NODES], n = ElementNumNodes(sums->carrier[f]);
     for (PetscInt i = 0; sums->covered[f] && i < n; i++) {
@@ -48,18 +47,15 @@ static PetscErrorCode RedistributionNextRing_Private(Level *level, const Facets 
       }
     }
   }
-  PetscCall(VecRestoreArray(local, &flag));
-  PetscCall(VecGhostRestoreLocalForm(flags, &local));
+  PetscCall(GhostedRestoreArray(flags, &flag));
   PetscCall(LevelShareVec(flags, MAX_VALUES));
   *found = PETSC_FALSE;
-  PetscCall(VecGhostGetLocalForm(flags, &local));
-  PetscCall(VecGetArray(local, &flag));
+  PetscCall(GhostedGetArray(flags, &flag));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     if (flag[i] > 0) ring[i] = k;
     *found = (PetscBool)(*found || flag[i] > 0);
   }
-  PetscCall(VecRestoreArray(local, &flag));
-  PetscCall(VecGhostRestoreLocalForm(flags, &local));
+  PetscCall(GhostedRestoreArray(flags, &flag));
   PetscCall(VecDestroy(&flags));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, found, 1, MPIU_BOOL, MPI_LOR, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -180,7 +176,7 @@ static PetscErrorCode RedistributionKeepRows_Private(const Level *level, const M
 static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const MortarIntegrals *sums, PetscInt num_nodes,
                                                             MultiplierStatus status[], PetscBool *any)
 {
-  Vec                total, local, local_D;
+  Vec                total;
   const PetscScalar *D, *t;
 
   PetscFunctionBeginUser;
@@ -189,19 +185,15 @@ static PetscErrorCode RedistributionRemoveOverdrawn_Private(Mat W, const MortarI
   PetscCall(VecDuplicate(sums->D, &total));
   PetscCall(MatMultAdd(W, sums->D, sums->D, total));
   PetscCall(LevelShareVec(total, INSERT_VALUES));
-  PetscCall(VecGhostGetLocalForm(total, &local));
-  PetscCall(VecGhostGetLocalForm(sums->D, &local_D));
-  PetscCall(VecGetArrayRead(local, &t));
-  PetscCall(VecGetArrayRead(local_D, &D));
+  PetscCall(GhostedGetArrayRead(total, &t));
+  PetscCall(GhostedGetArrayRead(sums->D, &D));
   for (PetscInt i = 0; i < num_nodes; i++) {
     if (status[i] != NODE_KEPT || PetscRealPart(t[i]) >= LEFT_OVER * PetscRealPart(D[i])) continue;
     status[i] = NODE_REMOVED;
     *any      = PETSC_TRUE;
   }
-  PetscCall(VecRestoreArrayRead(local_D, &D));
-  PetscCall(VecRestoreArrayRead(local, &t));
-  PetscCall(VecGhostRestoreLocalForm(sums->D, &local_D));
-  PetscCall(VecGhostRestoreLocalForm(total, &local));
+  PetscCall(GhostedRestoreArrayRead(sums->D, &D));
+  PetscCall(GhostedRestoreArrayRead(total, &t));
   PetscCall(VecDestroy(&total));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)W)));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "contact/slidingnodes.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 
 /* Displacements below this part of the largest prescribed one are roundoff, and so are such parts of D. */
 static const PetscReal STUCK = 1e-9;
@@ -174,18 +175,15 @@ static PetscErrorCode SlidingNodesMark_Private(Level *level, const Support *supp
 /* Marked nodes count as removed. [in] marks - owned values count; [in,out] status - [num_nodes] */
 static PetscErrorCode SlidingNodesSplit_Private(Level *level, Vec marks, MultiplierStatus status[])
 {
-  Vec                local;
   const PetscScalar *mark;
 
   PetscFunctionBeginUser;
   PetscCall(VecGhostUpdateBegin(marks, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGhostUpdateEnd(marks, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGhostGetLocalForm(marks, &local));
-  PetscCall(VecGetArrayRead(local, &mark));
+  PetscCall(GhostedGetArrayRead(marks, &mark));
   for (PetscInt i = 0; i < level->num_nodes; i++)
     if (PetscRealPart(mark[i]) > 0) status[i] = NODE_REMOVED;
-  PetscCall(VecRestoreArrayRead(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(GhostedRestoreArrayRead(marks, &mark));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

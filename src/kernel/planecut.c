@@ -217,7 +217,8 @@ static void SimplexBisect_Private(PetscInt dim, Simplex *simplex, PetscInt i, Pe
     other->x[i][k] = simplex->x[j][k] = simplex->x[i][k] + s * (simplex->x[j][k] - simplex->x[i][k]);
 }
 
-/* Cuts along a plane, edge by edge, and appends the parts. [in] given - distances of its corners from the plane [dim+1] */
+/* Cuts along a plane, edge by edge, and appends the parts.
+   [in] given - distances of the corners from the plane [dim+1] */
 static void SimplexCut_Private(PetscInt dim, Simplex simplex, const PetscReal given[], Simplex stack[], PetscInt *num)
 {
   PetscReal distance[MAX_CORNERS], rest[MAX_CORNERS];

@@ -2,7 +2,8 @@
 #include "base/compat.h"
 #include "multigrid/rankrows.h"
 
-/* Own unknowns and ghosts, ascending. rows->at becomes the position of each among own unknowns, then ghosts. */
+/* Own unknowns and ghosts, ascending. rows->at becomes the position of each among own unknowns, then
+   ghosts. */
 static PetscErrorCode RankRowsColumns_Private(RankRows *rows, IS *columns)
 {
   const GhostExchange *ghosts = rows->ghosts;

@@ -4,6 +4,7 @@
    and one piece for each type of cell. */
 #include "output/fieldwriter.h"
 #include "base/compat.h"
+#include "level/ghosted.h"
 #include <errno.h>
 
 PetscErrorCode FieldWriterOpen(MPI_Comm comm, const FieldFormat *format, FieldWriter *writer)
@@ -148,7 +149,7 @@ PetscErrorCode FieldWriterNumberPoints(Level *level, const PetscInt start[], Pet
   const PetscScalar *value;
   PetscScalar       *set;
   PetscInt           begin = 0;
-  Vec                numbers, local;
+  Vec                numbers;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Exscan(&start[level->num_owned], &begin, 1, MPIU_INT, MPI_SUM, level->comm));
@@ -157,11 +158,9 @@ PetscErrorCode FieldWriterNumberPoints(Level *level, const PetscInt start[], Pet
   for (PetscInt a = 0; a < level->num_owned; a++) set[a] = (PetscReal)(begin + start[a]);
   PetscCall(VecRestoreArray(numbers, &set));
   PetscCall(LevelShareVec(numbers, INSERT_VALUES));
-  PetscCall(VecGhostGetLocalForm(numbers, &local));
-  PetscCall(VecGetArrayRead(local, &value));
+  PetscCall(GhostedGetArrayRead(numbers, &value));
   for (PetscInt n = 0; n < level->num_nodes; n++) first[n] = (PetscInt)PetscRealPart(value[n]);
-  PetscCall(VecRestoreArrayRead(local, &value));
-  PetscCall(VecGhostRestoreLocalForm(numbers, &local));
+  PetscCall(GhostedRestoreArrayRead(numbers, &value));
   PetscCall(VecDestroy(&numbers));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -4,6 +4,7 @@
    stiffness of their edge hold them. So K stays definite, and its condition stays that of the mesh. */
 #include "problem/conforming.h"
 #include "base/compat.h"
+#include "level/ghosted.h"
 
 enum { MOST = 10 }; /* a hanging node, and those of the quad9 that it hangs on */
 
@@ -54,15 +55,12 @@ static void ConformingHoldNode_Private(const Level *level, PetscInt node, const 
 static PetscErrorCode ConformingHoldNodes_Private(const Level *level, Vec diagonal, SymmetricBlocks *sums)
 {
   const PetscScalar *a;
-  Vec                local;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(diagonal, &local));
-  PetscCall(VecGetArrayRead(local, &a));
+  PetscCall(GhostedGetArrayRead(diagonal, &a));
   for (PetscInt i = 0; i < level->num_owned; i++)
     if (LevelNodeHangs(level, i)) ConformingHoldNode_Private(level, i, a, sums);
-  PetscCall(VecRestoreArrayRead(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(diagonal, &local));
+  PetscCall(GhostedRestoreArrayRead(diagonal, &a));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -4,6 +4,7 @@
    projected like div u. Otherwise a varying temperature in a nearly incompressible cell would cause a
    pressure that no displacement can relieve. */
 #include "base/compat.h"
+#include "level/ghosted.h"
 #include "problem/eigenstrain.h"
 #include "problem/volumestrain.h"
 
@@ -259,7 +260,6 @@ PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal ene
 {
   PetscReal         *sums;
   const PetscScalar *ua;
-  Vec                local;
   ElementRule       *rules;
   Cell              *cell;
 
@@ -269,8 +269,7 @@ PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal ene
   PetscCall(PetscCalloc1(scene->num_bodies + 1, &sums));
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscNew(&cell));
-  PetscCall(VecGhostGetLocalForm(u, &local));
-  PetscCall(VecGetArrayRead(local, &ua));
+  PetscCall(GhostedGetArrayRead(u, &ua));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt body = level->cell_body[c];
 
@@ -278,8 +277,7 @@ PetscErrorCode EigenstrainEnergy(Scene scene, Level *level, Vec u, PetscReal ene
     PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
     EigenstrainAddEnergy_Private(scene, cell, ua, &sums[body], &sums[scene->num_bodies]);
   }
-  PetscCall(VecRestoreArrayRead(local, &ua));
-  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(GhostedRestoreArrayRead(u, &ua));
   PetscCall(PetscFree(cell));
   PetscCall(PetscFree(rules));
   PetscCallMPI(
@@ -348,7 +346,6 @@ PetscErrorCode EigenstrainAxialForce(Scene scene, Level *level, PetscInt body, V
   const SceneBody   *b       = &scene->bodies[body];
   PetscReal          sums[2] = {0, 0}, all[MAX_STRAINS], axial[MAX_STRAINS], length = 1;
   const PetscScalar *ua;
-  Vec                local;
   ElementRule       *rules;
   Cell              *cell;
 
@@ -357,15 +354,13 @@ PetscErrorCode EigenstrainAxialForce(Scene scene, Level *level, PetscInt body, V
   MaterialPickStrains(scene->model, all, axial);
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscNew(&cell));
-  PetscCall(VecGhostGetLocalForm(u, &local));
-  PetscCall(VecGetArrayRead(local, &ua));
+  PetscCall(GhostedGetArrayRead(u, &ua));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     if (level->cell_body[c] != body) continue;
     PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
     EigenstrainAddAxial_Private(scene, cell, axial, ua, sums);
   }
-  PetscCall(VecRestoreArrayRead(local, &ua));
-  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(GhostedRestoreArrayRead(u, &ua));
   PetscCall(PetscFree(cell));
   PetscCall(PetscFree(rules));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPIU_REAL, MPI_SUM, level->comm));

@@ -5,6 +5,7 @@
    facet between the points of both rules. Then it may cross the neighbours, too: finer rules check these. */
 #include "base/compat.h"
 #include "base/warning.h"
+#include "level/ghosted.h"
 #include "problem/loadterm.h"
 
 enum {
@@ -346,21 +347,17 @@ static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, con
   PetscReal    fe[CUBATURE_MAX_SIZE], other[CUBATURE_MAX_SIZE], miss[MAX_DIM];
   LoadElement  element;
   PetscScalar *mark;
-  Vec          nodes, local;
+  Vec          nodes;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(term->level, 1, &nodes));
-  PetscCall(VecGhostGetLocalForm(nodes, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGetArray(local, &mark));
+  PetscCall(GhostedGetArray(nodes, &mark));
   for (PetscInt e = 0; e < term->num; e++) {
     for (PetscInt i = 0; pieces[e] && i < ElementNumNodes(term->type[e]); i++) mark[term->nodes[e][i]] = 1.;
   }
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(nodes, &local));
+  PetscCall(GhostedRestoreArray(nodes, &mark));
   PetscCall(LevelShareVec(nodes, MAX_VALUES));
-  PetscCall(VecGhostGetLocalForm(nodes, &local));
-  PetscCall(VecGetArray(local, &mark));
+  PetscCall(GhostedGetArray(nodes, &mark));
   for (PetscInt e = 0; e < term->num; e++) {
     PetscBool near = PETSC_FALSE;
     Cubature  cubature;
@@ -375,8 +372,7 @@ static PetscErrorCode LoadRefineFindNeighbours_Private(const LoadTerm *term, con
     LoadRefineGetDifference_Private(cubature.size, term->dim, fe, other, miss);
     if (LoadRefineDiffers_Private(term, measure, e, miss)) pieces[e] = cubature.pieces;
   }
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(nodes, &local));
+  PetscCall(GhostedRestoreArray(nodes, &mark));
   PetscCall(VecDestroy(&nodes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "kernel/wedge.h"
+#include "level/ghosted.h"
 #include "side/sidemeasure.h"
 #include "result/sidecorners.h"
 
@@ -37,15 +38,12 @@ static PetscErrorCode MarkSide_Private(Fields fields, PetscInt body, const char 
   Level       *level = fields->vi->level;
   Facets       facets;
   PetscScalar *mark;
-  Vec          local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, fields->vi->scene, body, side, &facets));
-  PetscCall(VecGhostGetLocalForm(marks, &local));
-  PetscCall(VecGetArray(local, &mark));
+  PetscCall(GhostedGetArray(marks, &mark));
   for (PetscInt i = 0; i < DIM * facets.num; i++) mark[facets.nodes[i / DIM * F + i % DIM]] = 1;
-  PetscCall(VecRestoreArray(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(GhostedRestoreArray(marks, &mark));
   PetscCall(FacetsDestroy(&facets));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -84,7 +82,7 @@ static PetscErrorCode EdgeExponentFindBusy_Private(Fields fields, PetscInt p, Ve
 static PetscErrorCode CornersCreate_Private(Fields fields, const SceneSide *side, Vec busy, Corners *corners)
 {
   Level             *level = fields->vi->level;
-  Vec                ways, angles, local[3];
+  Vec                ways, angles;
   const PetscScalar *way, *angle, *mark;
   Facets             facets;
   Corner            *own;
@@ -95,12 +93,9 @@ static PetscErrorCode CornersCreate_Private(Fields fields, const SceneSide *side
   PetscCall(LevelGetFacets(level, fields->vi->scene, side->body, side->side, &facets));
   PetscCall(SideCornersGetEnds(level, &facets, &ways));
   PetscCall(SideCornersGetAngles(level, side->body, &angles));
-  PetscCall(VecGhostGetLocalForm(ways, &local[0]));
-  PetscCall(VecGhostGetLocalForm(angles, &local[1]));
-  PetscCall(VecGhostGetLocalForm(busy, &local[2]));
-  PetscCall(VecGetArrayRead(local[0], &way));
-  PetscCall(VecGetArrayRead(local[1], &angle));
-  PetscCall(VecGetArrayRead(local[2], &mark));
+  PetscCall(GhostedGetArrayRead(ways, &way));
+  PetscCall(GhostedGetArrayRead(angles, &angle));
+  PetscCall(GhostedGetArrayRead(busy, &mark));
   PetscCall(PetscMalloc1(DIM * facets.num, &own));
   for (PetscInt i = 0; i < DIM * facets.num; i++) {
     const PetscInt  node = facets.nodes[i / DIM * F + i % DIM];
@@ -110,12 +105,9 @@ static PetscErrorCode CornersCreate_Private(Fields fields, const SceneSide *side
     own[num] = (Corner){.angle = PetscRealPart(angle[node]), .end = end, .busy = PetscRealPart(mark[node])};
     PetscCall(PetscArraycpy(own[num++].x, &level->coords[DIM * node], DIM));
   }
-  PetscCall(VecRestoreArrayRead(local[2], &mark));
-  PetscCall(VecRestoreArrayRead(local[1], &angle));
-  PetscCall(VecRestoreArrayRead(local[0], &way));
-  PetscCall(VecGhostRestoreLocalForm(busy, &local[2]));
-  PetscCall(VecGhostRestoreLocalForm(angles, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(ways, &local[0]));
+  PetscCall(GhostedRestoreArrayRead(busy, &mark));
+  PetscCall(GhostedRestoreArrayRead(angles, &angle));
+  PetscCall(GhostedRestoreArrayRead(ways, &way));
   PetscCall(VecDestroy(&angles));
   PetscCall(VecDestroy(&ways));
   PetscCall(FacetsDestroy(&facets));
@@ -178,13 +170,11 @@ static PetscErrorCode SideIsBusy_Private(Fields fields, const SceneSide *side, V
   Level             *level = fields->vi->level;
   const PetscScalar *mark;
   Facets             facets;
-  Vec                local;
 
   PetscFunctionBeginUser;
   *found = PETSC_FALSE;
   PetscCall(LevelGetFacets(level, fields->vi->scene, side->body, side->side, &facets));
-  PetscCall(VecGhostGetLocalForm(busy, &local));
-  PetscCall(VecGetArrayRead(local, &mark));
+  PetscCall(GhostedGetArrayRead(busy, &mark));
   for (PetscInt f = 0; f < facets.num; f++) {
     const PetscInt *nodes = &facets.nodes[f * F];
     const PetscReal size  = DistanceOf_Private(&level->coords[DIM * nodes[0]], &level->coords[DIM * nodes[1]]);
@@ -192,8 +182,7 @@ static PetscErrorCode SideIsBusy_Private(Fields fields, const SceneSide *side, V
     if (DistanceOf_Private(&level->coords[DIM * nodes[0]], x) > distance + size) continue;
     if (PetscRealPart(mark[nodes[0]]) > 0 || PetscRealPart(mark[nodes[1]]) > 0) *found = PETSC_TRUE;
   }
-  PetscCall(VecRestoreArrayRead(local, &mark));
-  PetscCall(VecGhostRestoreLocalForm(busy, &local));
+  PetscCall(GhostedRestoreArrayRead(busy, &mark));
   PetscCall(FacetsDestroy(&facets));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, found, 1, MPIU_BOOL, MPI_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -5,6 +5,7 @@
    number and its bar remain those of the point. */
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "problem/elasticity.h"
 #include "result/cellstress.h"
 #include "result/goal.h"
@@ -119,7 +120,6 @@ static PetscErrorCode GoalSetProbe_Private(const SceneProbe *probe, Goal *goal)
   PetscReal  u[3], stress[CELL_STRESSES], xi[3], lower[3], upper[3], size = 0;
   PetscBool  found;
   PetscInt   c, material = -1;
-  Vec        local;
   StressSums to = {.goal = goal};
 
   PetscFunctionBeginUser;
@@ -134,11 +134,9 @@ static PetscErrorCode GoalSetProbe_Private(const SceneProbe *probe, Goal *goal)
   goal->body   = probe->body;
   goal->radius = PetscMax(PROBE_RADIUS * VectorDistance(level->dim, upper, lower), CELL_SIZES * size);
   PetscCall(LevelCreateVec(level, level->dim, &goal->q));
-  PetscCall(VecGhostGetLocalForm(goal->q, &local));
-  PetscCall(VecGetArray(local, &to.sums));
+  PetscCall(GhostedGetArray(goal->q, &to.sums));
   PetscCall(GoalAddCells_Private(&to, material));
-  PetscCall(VecRestoreArray(local, &to.sums));
-  PetscCall(VecGhostRestoreLocalForm(goal->q, &local));
+  PetscCall(GhostedRestoreArray(goal->q, &to.sums));
   PetscCall(LevelShareVec(goal->q, ADD_VALUES));
   PetscCall(LevelConformForces(level, level->dim, goal->q));
   if (to.measure > 0) PetscCall(VecScale(goal->q, 1 / to.measure));

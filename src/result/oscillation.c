@@ -7,6 +7,7 @@
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "result/cellstress.h"
 
 enum {
@@ -214,12 +215,10 @@ PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal c
 {
   Solution    solution = {.level = fields->vi->level, .compliance = compliance};
   const Scene scene    = solution.level->scene;
-  Vec         local;
 
   PetscFunctionBeginUser;
   PetscCall(OscillationAddCells_Private(solution.level, compliance, cell));
-  PetscCall(VecGhostGetLocalForm(fields->u, &local));
-  PetscCall(VecGetArrayRead(local, &solution.u));
+  PetscCall(GhostedGetArrayRead(fields->u, &solution.u));
   PetscCall(NodalStressGetArrays(&fields->stress, &solution.stress));
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     for (PetscInt i = 0; i < scene->bodies[b].num_boundaries; i++) {
@@ -232,7 +231,6 @@ PetscErrorCode OscillationAdd(Fields fields, Compliance *compliance, PetscReal c
     }
   }
   PetscCall(NodalStressRestoreArrays(&fields->stress, &solution.stress));
-  PetscCall(VecRestoreArrayRead(local, &solution.u));
-  PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
+  PetscCall(GhostedRestoreArrayRead(fields->u, &solution.u));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,5 +1,6 @@
 /* pairfields.c -- rows of the inequality as values at the nodes of a nonmortar side. */
 #include "contact/pairpoints.h"
+#include "level/ghosted.h"
 #include "result/fields.h"
 #include "result/sidenodes.h"
 #include "base/compat.h"
@@ -133,7 +134,7 @@ static PetscErrorCode PairFieldsHangStatus_Private(Level *level, const PetscBool
 {
   const Hanging *hanging = &level->hanging;
   PetscScalar   *a;
-  Vec            v, local;
+  Vec            v;
 
   PetscFunctionBeginUser;
   if (!hangs) PetscFunctionReturn(PETSC_SUCCESS);
@@ -145,8 +146,7 @@ static PetscErrorCode PairFieldsHangStatus_Private(Level *level, const PetscBool
   }
   PetscCall(VecRestoreArray(v, &a));
   PetscCall(LevelShareVec(v, INSERT_VALUES));
-  PetscCall(VecGhostGetLocalForm(v, &local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(v, &a));
   for (PetscInt i = 0; i < level->num_owned; i++) {
     PetscReal least = STATUS_STICK;
 
@@ -156,8 +156,7 @@ static PetscErrorCode PairFieldsHangStatus_Private(Level *level, const PetscBool
     }
     if (hangs[i]) nodal->status[i] = (PetscInt)least;
   }
-  PetscCall(VecRestoreArray(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(v, &local));
+  PetscCall(GhostedRestoreArray(v, &a));
   PetscCall(VecDestroy(&v));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

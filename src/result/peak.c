@@ -6,6 +6,7 @@
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "result/edgeexponent.h"
 #include "result/pairsum.h"
 
@@ -36,18 +37,14 @@ static PetscErrorCode PeakCreateNodal_Private(Fields fields, PetscInt p, Vec *no
   const Pair    pair   = fields->vi->pairs[p];
   const Facets *facets = &pair->points->facets;
   PairFields    values;
-  Vec           local;
   PetscScalar  *a;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, NODE_DATA, nodal));
-  PetscCall(VecGhostGetLocalForm(*nodal, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(*nodal, &a));
   for (PetscInt i = 0; i < level->dim * facets->num; i++)
     a[NODE_DATA * facets->nodes[i / level->dim * F + i % level->dim] + 1] += 1;
-  PetscCall(VecRestoreArray(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(*nodal, &local));
+  PetscCall(GhostedRestoreArray(*nodal, &a));
   PetscCall(LevelShareVec(*nodal, ADD_VALUES));
   PetscCall(PairFieldsCreate(fields, p, &values));
   PetscCall(VecGetArray(*nodal, &a));
@@ -151,17 +148,15 @@ PetscErrorCode PeakGet(Fields fields, PetscInt p, Peak *peak)
   const PairPoints   points = fields->vi->pairs[p]->points;
   const Facets      *facets = &points->facets;
   PeakFindings       found  = {.small = -PETSC_MAX_REAL, .low = -PETSC_MAX_REAL};
-  Vec                nodal, local[2];
+  Vec                nodal;
   const PetscScalar *at, *normal;
   PairSum            sum;
 
   PetscFunctionBeginUser;
   PetscCall(PairSumCompute(fields, p, &sum));
   PetscCall(PeakCreateNodal_Private(fields, p, &nodal));
-  PetscCall(VecGhostGetLocalForm(nodal, &local[0]));
-  PetscCall(VecGhostGetLocalForm(points->normals, &local[1]));
-  PetscCall(VecGetArrayRead(local[0], &at));
-  PetscCall(VecGetArrayRead(local[1], &normal));
+  PetscCall(GhostedGetArrayRead(nodal, &at));
+  PetscCall(GhostedGetArrayRead(points->normals, &normal));
   for (PetscInt f = 0; f < facets->num && sum.max_pressure > 0; f++) {
     PetscBool here = PETSC_FALSE;
 
@@ -169,10 +164,8 @@ PetscErrorCode PeakGet(Fields fields, PetscInt p, Peak *peak)
       here = (PetscBool)(here || PetscRealPart(at[NODE_DATA * facets->nodes[f * F + i]]) >= sum.max_pressure);
     if (here) PetscCall(PeakAddFacet_Private(fields, p, f, at, normal, &found));
   }
-  PetscCall(VecRestoreArrayRead(local[1], &normal));
-  PetscCall(VecRestoreArrayRead(local[0], &at));
-  PetscCall(VecGhostRestoreLocalForm(points->normals, &local[1]));
-  PetscCall(VecGhostRestoreLocalForm(nodal, &local[0]));
+  PetscCall(GhostedRestoreArrayRead(points->normals, &normal));
+  PetscCall(GhostedRestoreArrayRead(nodal, &at));
   PetscCall(VecDestroy(&nodal));
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, &found, sizeof(found) / sizeof(PetscReal), MPIU_REAL, MPIU_MAX, level->comm));

@@ -1,6 +1,7 @@
 /* pressureerror.c -- error of a pressure, as the field in files and row by row. */
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "result/pressureerror.h"
 
 /* Eight points on a line: an exact pressure may have a kink within a facet, where contact ends. */
@@ -64,18 +65,16 @@ static PetscErrorCode PressureErrorAddFacets_Private(Fields fields, PetscInt p, 
   const ScenePair   *spec  = fields->vi->pairs[p]->spec;
   Level             *level = fields->vi->level;
   Facets             facets;
-  Vec                nodal, local;
+  Vec                nodal;
   const PetscScalar *values;
 
   PetscFunctionBeginUser;
   PetscCall(PressureErrorGetNodalValues_Private(fields, p, &nodal));
   PetscCall(LevelGetFacets(level, fields->vi->scene, spec->nonmortar.body, spec->nonmortar.side, &facets));
-  PetscCall(VecGhostGetLocalForm(nodal, &local));
-  PetscCall(VecGetArrayRead(local, &values));
+  PetscCall(GhostedGetArrayRead(nodal, &values));
   for (PetscInt f = 0; f < facets.num; f++)
     PetscCall(PressureErrorAddFacet_Private(level, &facets, f, spec->exact, values, squares));
-  PetscCall(VecRestoreArrayRead(local, &values));
-  PetscCall(VecGhostRestoreLocalForm(nodal, &local));
+  PetscCall(GhostedRestoreArrayRead(nodal, &values));
   PetscCall(FacetsDestroy(&facets));
   PetscCall(VecDestroy(&nodal));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -3,6 +3,7 @@
 #include "result/probes.h"
 #include "base/usererror.h"
 #include "base/compat.h"
+#include "level/ghosted.h"
 
 /* "1,2" */
 static PetscErrorCode ProbesPrintPoint_Private(PetscInt dim, const PetscReal x[], char text[], size_t len)
@@ -88,11 +89,9 @@ static PetscErrorCode ProbesInterpolate_Private(Fields fields, PetscInt cell, co
   const PetscScalar *u;
   NodalStressArrays  stress;
   PetscReal          phi[ELEMENT_MAX_NODES];
-  Vec                local;
 
   PetscFunctionBeginUser;
-  PetscCall(VecGhostGetLocalForm(fields->u, &local));
-  PetscCall(VecGetArrayRead(local, &u));
+  PetscCall(GhostedGetArrayRead(fields->u, &u));
   PetscCall(NodalStressGetArrays(&fields->stress, &stress));
   ElementShape((ElementType)level->cell_type[cell], xi, phi, NULL);
   for (PetscInt i = begin; i < level->cell_start[cell + 1]; i++) {
@@ -104,8 +103,7 @@ static PetscErrorCode ProbesInterpolate_Private(Fields fields, PetscInt cell, co
     for (PetscInt k = 0; k < 6; k++) answer[3 + k] += weight * PetscRealPart(sigma[k]);
   }
   PetscCall(NodalStressRestoreArrays(&fields->stress, &stress));
-  PetscCall(VecRestoreArrayRead(local, &u));
-  PetscCall(VecGhostRestoreLocalForm(fields->u, &local));
+  PetscCall(GhostedRestoreArrayRead(fields->u, &u));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

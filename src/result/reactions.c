@@ -5,6 +5,7 @@
    say how to split it. */
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "result/cellstress.h"
 #include "result/reactions.h"
 
@@ -53,19 +54,17 @@ static PetscErrorCode ReactionsExpect_Private(Reactions *reactions, PetscInt bod
   const Support    *support = &fields->vi->support;
   NodalStressArrays recovered;
   Facets            facets;
-  Vec               v, local;
+  Vec               v;
   PetscScalar      *sums;
 
   PetscFunctionBeginUser;
   PetscCall(LevelGetFacets(level, level->scene, body, level->scene->bodies[body].boundaries[boundary].side, &facets));
   PetscCall(LevelCreateVec(level, level->dim, &v));
-  PetscCall(VecGhostGetLocalForm(v, &local));
-  PetscCall(VecGetArray(local, &sums));
+  PetscCall(GhostedGetArray(v, &sums));
   PetscCall(NodalStressGetArrays(&fields->stress, &recovered));
   for (PetscInt f = 0; f < facets.num; f++) ReactionsAddFacet_Private(level, &facets, f, &recovered, sums);
   PetscCall(NodalStressRestoreArrays(&fields->stress, &recovered));
-  PetscCall(VecRestoreArray(local, &sums));
-  PetscCall(VecGhostRestoreLocalForm(v, &local));
+  PetscCall(GhostedRestoreArray(v, &sums));
   PetscCall(LevelShareVec(v, ADD_VALUES));
   PetscCall(LevelConformForces(level, level->dim, v));
   PetscCall(VecGetArray(v, &sums));

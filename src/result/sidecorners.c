@@ -2,6 +2,7 @@
 #include "result/sidecorners.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include <math.h>
 
 enum { F = ELEMENT_MAX_FACET_NODES };
@@ -13,12 +14,10 @@ PetscErrorCode SideCornersGetEnds(Level *level, const Facets *facets, Vec *ways)
 {
   const PetscInt dim = level->dim;
   PetscScalar   *way;
-  Vec            local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, dim, ways));
-  PetscCall(VecGhostGetLocalForm(*ways, &local));
-  PetscCall(VecGetArray(local, &way));
+  PetscCall(GhostedGetArray(*ways, &way));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscInt *nodes = &facets->nodes[f * F], num = ElementNumNodes(ElementLinear(facets->type[f]));
 
@@ -30,8 +29,7 @@ PetscErrorCode SideCornersGetEnds(Level *level, const Facets *facets, Vec *ways)
         way[nodes[i] * dim + k] += level->coords[next * dim + k] - level->coords[before * dim + k];
     }
   }
-  PetscCall(VecRestoreArray(local, &way));
-  PetscCall(VecGhostRestoreLocalForm(*ways, &local));
+  PetscCall(GhostedRestoreArray(*ways, &way));
   PetscCall(LevelShareVec(*ways, ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -71,12 +69,10 @@ static PetscReal CornerAngle_Private(const Level *level, ElementType linear, con
 PetscErrorCode SideCornersGetAngles(Level *level, PetscInt body, Vec *angles)
 {
   PetscScalar *angle;
-  Vec          local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, angles));
-  PetscCall(VecGhostGetLocalForm(*angles, &local));
-  PetscCall(VecGetArray(local, &angle));
+  PetscCall(GhostedGetArray(*angles, &angle));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType linear = ElementLinear((ElementType)level->cell_type[c]);
     const PetscInt   *nodes  = &level->cell_nodes[level->cell_start[c]];
@@ -84,8 +80,7 @@ PetscErrorCode SideCornersGetAngles(Level *level, PetscInt body, Vec *angles)
     for (PetscInt i = 0; i < ElementNumNodes(linear) && level->cell_body[c] == body; i++)
       angle[nodes[i]] += CornerAngle_Private(level, linear, nodes, i);
   }
-  PetscCall(VecRestoreArray(local, &angle));
-  PetscCall(VecGhostRestoreLocalForm(*angles, &local));
+  PetscCall(GhostedRestoreArray(*angles, &angle));
   PetscCall(LevelShareVec(*angles, ADD_VALUES));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

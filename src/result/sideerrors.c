@@ -8,6 +8,7 @@
 #include "base/compat.h"
 #include "contact/pairpoints.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "result/compliance.h"
 #include "result/largest.h"
 #include "result/pairsum.h"
@@ -108,18 +109,16 @@ static PetscErrorCode TouchAddPoint_Private(Touch *touch, const PairPoint *point
 /* Adds all points of this rank. Collective. */
 static PetscErrorCode TouchAddPoints_Private(Touch *touch, Vec traction)
 {
-  Vec                 v[]     = {touch->level->normal_errors, traction, touch->points->normals}, local[3];
+  Vec                 v[]     = {touch->level->normal_errors, traction, touch->points->normals};
   const PetscScalar **array[] = {&touch->errors, &touch->traction, &touch->normal};
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < 3; i++) {
-    PetscCall(VecGhostGetLocalForm(v[i], &local[i]));
-    PetscCall(VecGetArrayRead(local[i], array[i]));
+    PetscCall(GhostedGetArrayRead(v[i], array[i]));
   }
   for (PetscInt q = 0; q < touch->points->num; q++) PetscCall(TouchAddPoint_Private(touch, &touch->points->point[q]));
   for (PetscInt i = 0; i < 3; i++) {
-    PetscCall(VecRestoreArrayRead(local[i], array[i]));
-    PetscCall(VecGhostRestoreLocalForm(v[i], &local[i]));
+    PetscCall(GhostedRestoreArrayRead(v[i], array[i]));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

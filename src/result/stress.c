@@ -8,6 +8,7 @@
    belong to one body, and cells of two materials at a node have a stress each, so nothing is averaged across
    an interface. Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
 #include "base/compat.h"
+#include "level/ghosted.h"
 #include "problem/elasticity.h"
 #include "result/cellstress.h"
 #include "result/stress.h"
@@ -89,32 +90,10 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Arrays of the local forms of ghosted vectors. [out] locals, arrays - [num] */
-static PetscErrorCode LocalsGet_Private(PetscInt num, const Vec vectors[], Vec locals[], PetscScalar *arrays[])
-{
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num; i++) {
-    PetscCall(VecGhostGetLocalForm(vectors[i], &locals[i]));
-    PetscCall(VecGetArray(locals[i], &arrays[i]));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-static PetscErrorCode LocalsRestore_Private(PetscInt num, const Vec vectors[], Vec locals[], PetscScalar *arrays[])
-{
-  PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < num; i++) {
-    PetscCall(VecRestoreArray(locals[i], &arrays[i]));
-    PetscCall(VecGhostRestoreLocalForm(vectors[i], &locals[i]));
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Adds this rank's cells to the local forms of ghosted vectors. [in,out] volume - [stress->at.most] */
+/* Adds this rank's cells to ghosted vectors. [in,out] volume - [stress->at.most] */
 static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, NodalStress *stress, Vec volume[])
 {
   const PetscInt     most = stress->at.most;
-  Vec                local, *locals;
   const PetscScalar *displacement;
   Sums               sums = {.at = &stress->at};
   Recovery          *recoveries;
@@ -124,18 +103,20 @@ static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Ve
   PetscCall(ElasticityRulesCreate(scene, &rules));
   PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
   for (PetscInt t = 0; t < ELEMENT_COUNT; t++) StressSetRecovery_Private((ElementType)t, &rules[t], &recoveries[t]);
-  PetscCall(PetscMalloc3(2 * most, &locals, most, &sums.stress, most, &sums.volume));
-  PetscCall(VecGhostGetLocalForm(u, &local));
-  PetscCall(VecGetArrayRead(local, &displacement));
-  PetscCall(LocalsGet_Private(most, stress->value, locals, sums.stress));
-  PetscCall(LocalsGet_Private(most, volume, &locals[most], sums.volume));
+  PetscCall(PetscMalloc2(most, &sums.stress, most, &sums.volume));
+  PetscCall(GhostedGetArrayRead(u, &displacement));
+  for (PetscInt i = 0; i < most; i++) {
+    PetscCall(GhostedGetArray(stress->value[i], &sums.stress[i]));
+    PetscCall(GhostedGetArray(volume[i], &sums.volume[i]));
+  }
   for (PetscInt c = 0; c < level->num_cells; c++)
     PetscCall(StressAddCell_Private(scene, level, c, &recoveries[level->cell_type[c]], displacement, &sums));
-  PetscCall(LocalsRestore_Private(most, volume, &locals[most], sums.volume));
-  PetscCall(LocalsRestore_Private(most, stress->value, locals, sums.stress));
-  PetscCall(VecRestoreArrayRead(local, &displacement));
-  PetscCall(VecGhostRestoreLocalForm(u, &local));
-  PetscCall(PetscFree3(locals, sums.stress, sums.volume));
+  for (PetscInt i = 0; i < most; i++) {
+    PetscCall(GhostedRestoreArray(volume[i], &sums.volume[i]));
+    PetscCall(GhostedRestoreArray(stress->value[i], &sums.stress[i]));
+  }
+  PetscCall(GhostedRestoreArrayRead(u, &displacement));
+  PetscCall(PetscFree2(sums.stress, sums.volume));
   PetscCall(PetscFree(recoveries));
   PetscCall(PetscFree(rules));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -8,6 +8,7 @@
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "problem/elasticity.h"
 #include "result/calibration.h"
 #include "result/cellstress.h"
@@ -74,13 +75,10 @@ static PetscErrorCode UnseenStressCreateSlopes_Private(Level *level, const Nodal
   const PetscInt dim = level->dim, most = stress->at->most;
   PetscReal      X[DIM * ELEMENT_MAX_NODES], middle[DIM], slope[DIM * ELEMENT_MAX_NODES];
   PetscScalar   *a;
-  Vec            local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, most * COLUMNS, slopes));
-  PetscCall(VecGhostGetLocalForm(*slopes, &local));
-  PetscCall(VecZeroEntries(local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(*slopes, &a));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt  num   = ElementNumNodes(ElementLinear((ElementType)level->cell_type[c]));
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]], material = level->cell_material[c];
@@ -102,8 +100,7 @@ static PetscErrorCode UnseenStressCreateSlopes_Private(Level *level, const Nodal
       for (PetscInt j = 0; j < COLUMNS; j++) at[j] += sums[j];
     }
   }
-  PetscCall(VecRestoreArray(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(*slopes, &local));
+  PetscCall(GhostedRestoreArray(*slopes, &a));
   PetscCall(LevelShareVec(*slopes, ADD_VALUES));
   PetscCall(VecGetArray(*slopes, &a));
   for (PetscInt i = 0; i < level->num_owned * most; i++)
@@ -242,7 +239,7 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
   const Scene        scene = fields->vi->scene;
   Level             *level = fields->vi->level;
   PetscBool          any   = PETSC_FALSE;
-  Vec                slopes, local;
+  Vec                slopes;
   NodalStressArrays  stress;
   const PetscScalar *a;
   Quadratic          quadratic;
@@ -255,8 +252,7 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
   PetscCall(NodalStressGetArrays(&fields->stress, &stress));
   PetscCall(UnseenStressCreateSlopes_Private(level, &stress, volume, &slopes));
   PetscCall(NodalStressRestoreArrays(&fields->stress, &stress));
-  PetscCall(VecGhostGetLocalForm(slopes, &local));
-  PetscCall(VecGetArrayRead(local, &a));
+  PetscCall(GhostedGetArrayRead(slopes, &a));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementRule *rule = &rules[level->cell_type[c]];
     PetscReal          squared;
@@ -270,8 +266,7 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
     }
     cell[c] = PetscMax(cell[c], squared);
   }
-  PetscCall(VecRestoreArrayRead(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(slopes, &local));
+  PetscCall(GhostedRestoreArrayRead(slopes, &a));
   PetscCall(VecDestroy(&slopes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

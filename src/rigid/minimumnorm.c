@@ -7,6 +7,7 @@
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "rigid/rigidimpl.h"
 
 /* A contact is pressed if its pressure exceeds this part of the largest. */
@@ -98,7 +99,6 @@ static PetscErrorCode MinimumNormGetMass_Private(VI vi, Vec u, PetscReal mass[],
 {
   const Level       *level = vi->level;
   const PetscInt     m     = vi->rigid_modes.num;
-  Vec                local;
   const PetscScalar *ul;
   ElementRule       *rule;
 
@@ -107,8 +107,7 @@ static PetscErrorCode MinimumNormGetMass_Private(VI vi, Vec u, PetscReal mass[],
   PetscCall(PetscArrayzero(work, m));
   PetscCall(PetscMalloc1(1, &rule));
   rule->num = 0;
-  PetscCall(VecGhostGetLocalForm(u, &local));
-  PetscCall(VecGetArrayRead(local, &ul));
+  PetscCall(GhostedGetArrayRead(u, &ul));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const ElementType type  = (ElementType)level->cell_type[c];
     const PetscInt    piece = vi->rigid_modes.components.of_node[level->cell_nodes[level->cell_start[c]]];
@@ -117,8 +116,7 @@ static PetscErrorCode MinimumNormGetMass_Private(VI vi, Vec u, PetscReal mass[],
     if (!rule->num || rule->type != type) ElementRuleSet(type, 2 * ElementOrder(type), rule);
     MinimumNormAddCell_Private(vi, c, rule, ul, mass, work);
   }
-  PetscCall(VecRestoreArrayRead(local, &ul));
-  PetscCall(VecGhostRestoreLocalForm(u, &local));
+  PetscCall(GhostedRestoreArrayRead(u, &ul));
   PetscCall(PetscFree(rule));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, mass, (PetscMPIInt)(m * m), MPIU_REAL, MPI_SUM, level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, work, (PetscMPIInt)m, MPIU_REAL, MPI_SUM, level->comm));

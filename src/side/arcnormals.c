@@ -3,6 +3,7 @@
 #include "base/compat.h"
 #include "kernel/vector.h"
 #include "level/facets.h"
+#include "level/ghosted.h"
 #include "side/sidepatch.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
@@ -38,12 +39,10 @@ PetscErrorCode ArcNormalsTake(const Level *level, const Facets *facets, SideShap
 {
   const PetscInt     dim = level->dim;
   const PetscScalar *a;
-  Vec                local;
 
   PetscFunctionBeginUser;
   if (!level->arcs) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(VecGhostGetLocalForm(level->arcs, &local));
-  PetscCall(VecGetArrayRead(local, &a));
+  PetscCall(GhostedGetArrayRead(level->arcs, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
     PetscReal unit[3];
 
@@ -57,7 +56,6 @@ PetscErrorCode ArcNormalsTake(const Level *level, const Facets *facets, SideShap
         PetscCall(PetscArraycpy(normal, known, dim));
     }
   }
-  PetscCall(VecRestoreArrayRead(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(level->arcs, &local));
+  PetscCall(GhostedRestoreArrayRead(level->arcs, &a));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

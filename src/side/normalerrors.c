@@ -2,6 +2,7 @@
 #include "side/normalerrors.h"
 #include "base/compat.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES, FIELDS = LEVEL_NORMAL_ERRORS };
 
@@ -47,15 +48,13 @@ PetscErrorCode LevelAddNormalErrors(Level *level, const Facets *facets, const Si
 {
   PetscBool    any = PETSC_FALSE;
   PetscScalar *errors;
-  Vec          local;
 
   PetscFunctionBeginUser;
   for (PetscInt c = 0; c < facets->num * F; c++) any = (PetscBool)(any || shape->error[c] > 0);
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
   if (!level->normal_errors) PetscCall(LevelCreateVec(level, FIELDS, &level->normal_errors));
-  PetscCall(VecGhostGetLocalForm(level->normal_errors, &local));
-  PetscCall(VecGetArray(local, &errors));
+  PetscCall(GhostedGetArray(level->normal_errors, &errors));
   for (PetscInt f = 0; f < facets->num; f++) {
     const PetscReal size = FacetSize_Private(level, facets, f);
 
@@ -66,14 +65,11 @@ PetscErrorCode LevelAddNormalErrors(Level *level, const Facets *facets, const Si
       at[1] = PetscMax(PetscRealPart(at[1]), shape->error[f * F + i] * size);
     }
   }
-  PetscCall(VecRestoreArray(local, &errors));
-  PetscCall(VecGhostRestoreLocalForm(level->normal_errors, &local));
+  PetscCall(GhostedRestoreArray(level->normal_errors, &errors));
   PetscCall(LevelShareVec(level->normal_errors, MAX_VALUES));
-  PetscCall(VecGhostGetLocalForm(level->normal_errors, &local));
-  PetscCall(VecGetArray(local, &errors));
+  PetscCall(GhostedGetArray(level->normal_errors, &errors));
   LevelFillMiddles_Private(level, errors);
-  PetscCall(VecRestoreArray(local, &errors));
-  PetscCall(VecGhostRestoreLocalForm(level->normal_errors, &local));
+  PetscCall(GhostedRestoreArray(level->normal_errors, &errors));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -5,6 +5,7 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "side/sidehanging.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
@@ -60,12 +61,10 @@ static PetscErrorCode SideHangingGetNodes_Private(Level *level, const Facets *fa
 {
   const PetscInt dim = level->dim;
   PetscScalar   *a;
-  Vec            local;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, NODE_VALUES, means));
-  PetscCall(VecGhostGetLocalForm(*means, &local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(*means, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       const PetscInt node = facets->nodes[f * F + i], c = f * F + i;
@@ -77,16 +76,15 @@ static PetscErrorCode SideHangingGetNodes_Private(Level *level, const Facets *fa
       at[NODE_KNOWN] += 1;
     }
   }
-  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(GhostedRestoreArray(*means, &a));
   PetscCall(LevelShareVec(*means, ADD_VALUES));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(*means, &a));
   for (PetscInt i = 0; i < level->num_nodes; i++) {
     const PetscReal known = PetscRealPart(a[i * NODE_VALUES + NODE_KNOWN]);
 
     for (PetscInt k = 0; k < NODE_VALUES && known > 0; k++) a[i * NODE_VALUES + k] /= known;
   }
-  PetscCall(VecRestoreArray(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(*means, &local));
+  PetscCall(GhostedRestoreArray(*means, &a));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -116,20 +114,18 @@ static void SideHangingSetCorner_Private(const Level *level, PetscInt node, Pets
 PetscErrorCode SideHangingSetShape(Level *level, const Facets *facets, SideShape *shape)
 {
   const PetscScalar *a;
-  Vec                means, local;
+  Vec                means;
 
   PetscFunctionBeginUser;
   if (!level->conforming) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SideHangingGetNodes_Private(level, facets, shape, &means));
-  PetscCall(VecGhostGetLocalForm(means, &local));
-  PetscCall(VecGetArrayRead(local, &a));
+  PetscCall(GhostedGetArrayRead(means, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++)
       if (LevelNodeHangs(level, facets->nodes[f * F + i]) && shape->ridge[f * F + i] == 0)
         SideHangingSetCorner_Private(level, facets->nodes[f * F + i], f * F + i, a, shape);
   }
-  PetscCall(VecRestoreArrayRead(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(means, &local));
+  PetscCall(GhostedRestoreArrayRead(means, &a));
   PetscCall(VecDestroy(&means));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

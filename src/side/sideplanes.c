@@ -6,6 +6,7 @@
 #include "level/facets.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
+#include "level/ghosted.h"
 #include "level/level.h"
 #include "side/sidepatch.h"
 
@@ -77,12 +78,11 @@ static PetscErrorCode SidePlanesSetNodes_Private(Level *level, const SideSums *s
 {
   const Facets *facets = sums->facets;
   PetscScalar  *a;
-  Vec           marks, local;
+  Vec           marks;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, planes->num, &marks));
-  PetscCall(VecGhostGetLocalForm(marks, &local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(marks, &a));
   for (PetscInt f = 0; f < held->num; f++) {
     PetscReal n[3] = {0};
     PetscInt  num  = planes->num, q;
@@ -92,9 +92,9 @@ static PetscErrorCode SidePlanesSetNodes_Private(Level *level, const SideSums *s
     for (PetscInt i = 0; i < ElementNumNodes(held->type[f]) && q < planes->num; i++)
       a[held->nodes[f * F + i] * planes->num + q] = 1;
   }
-  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(GhostedRestoreArray(marks, &a));
   PetscCall(LevelShareVec(marks, ADD_VALUES));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(marks, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) {
       for (PetscInt q = 0; q < planes->num; q++) {
@@ -103,8 +103,7 @@ static PetscErrorCode SidePlanesSetNodes_Private(Level *level, const SideSums *s
       }
     }
   }
-  PetscCall(VecRestoreArray(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(marks, &local));
+  PetscCall(GhostedRestoreArray(marks, &a));
   PetscCall(VecDestroy(&marks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

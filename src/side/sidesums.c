@@ -1,6 +1,7 @@
 /* sidesums.c -- sums over the facets around each node of a side. */
 #include "side/sidesums.h"
 #include "base/compat.h"
+#include "level/ghosted.h"
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
@@ -22,26 +23,24 @@ void SideGetWay(const Level *level, const Facets *facets, PetscInt f, PetscInt i
 static PetscErrorCode LevelMarkSide_Private(Level *level, const Facets *facets, PetscInt **mark)
 {
   PetscScalar *a;
-  Vec          marks, local;
+  Vec          marks;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(level->num_nodes, mark));
   PetscCall(LevelCreateVec(level, 1, &marks));
-  PetscCall(VecGhostGetLocalForm(marks, &local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(marks, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) a[facets->nodes[f * F + i]] = 1;
   }
-  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(GhostedRestoreArray(marks, &a));
   PetscCall(VecGhostUpdateBegin(marks, ADD_VALUES, SCATTER_REVERSE));
   PetscCall(VecGhostUpdateEnd(marks, ADD_VALUES, SCATTER_REVERSE));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(marks, &a));
   for (PetscInt i = 0; i < level->num_nodes; i++) (*mark)[i] = PetscRealPart(a[i]) > 0 ? 1 : 0;
-  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(GhostedRestoreArray(marks, &a));
   for (PetscInt f = 0; f < facets->num; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(facets->type[f]); i++) (*mark)[facets->nodes[f * F + i]] = 2;
   }
-  PetscCall(VecGhostRestoreLocalForm(marks, &local));
   PetscCall(VecDestroy(&marks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -52,24 +51,22 @@ static PetscErrorCode SideSumsJoin_Private(Level *level, const PetscInt own[], c
 {
   PetscInt     begin, num = 0;
   PetscScalar *a;
-  Vec          numbers, local;
+  Vec          numbers;
 
   PetscFunctionBeginUser;
   PetscCallMPI(MPI_Scan(&sums->num_owned, &begin, 1, MPIU_INT, MPI_SUM, level->comm));
   begin -= sums->num_owned;
   PetscCall(LevelCreateVec(level, 1, &numbers));
-  PetscCall(VecGhostGetLocalForm(numbers, &local));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(numbers, &a));
   for (PetscInt i = 0; i < level->num_owned; i++) a[i] = (PetscScalar)(begin + own[i]);
-  PetscCall(VecRestoreArray(local, &a));
+  PetscCall(GhostedRestoreArray(numbers, &a));
   PetscCall(LevelShareVec(numbers, INSERT_VALUES));
-  PetscCall(VecGetArray(local, &a));
+  PetscCall(GhostedGetArray(numbers, &a));
   PetscCall(PetscMalloc1(sums->num - sums->num_owned, &sums->others));
   for (PetscInt i = level->num_owned; i < level->num_nodes; i++) {
     if (mark[i] == 2) sums->others[num++] = (PetscInt)PetscRealPart(a[i]);
   }
-  PetscCall(VecRestoreArray(local, &a));
-  PetscCall(VecGhostRestoreLocalForm(numbers, &local));
+  PetscCall(GhostedRestoreArray(numbers, &a));
   PetscCall(VecDestroy(&numbers));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

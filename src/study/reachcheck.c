@@ -7,6 +7,7 @@
    had no multiplier. */
 #include "base/compat.h"
 #include "base/warning.h"
+#include "level/ghosted.h"
 #include "study/reachcheck.h"
 
 /* Largest overlap without missed contact, as a part of the motion; that of the certificate for rows of the
@@ -43,13 +44,11 @@ static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
 {
   const VI           vi = run->vi;
   const PetscScalar *values;
-  Vec                local;
   PetscReal         *sides;
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(2 * vi->num_pairs, &sides));
-  PetscCall(VecGhostGetLocalForm(run->fields->u, &local));
-  PetscCall(VecGetArrayRead(local, &values));
+  PetscCall(GhostedGetArrayRead(run->fields->u, &values));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     const ScenePair *spec = vi->pairs[p]->spec;
 
@@ -57,8 +56,7 @@ static PetscErrorCode ReachCheckGetMotions_Private(Run run, PetscReal motion[])
     PetscCall(ReachCheckSideMotion_Private(run->scene, vi->level, &spec->nonmortar, values, &sides[2 * p]));
     PetscCall(ReachCheckSideMotion_Private(run->scene, vi->level, &spec->mortar, values, &sides[2 * p + 1]));
   }
-  PetscCall(VecRestoreArrayRead(local, &values));
-  PetscCall(VecGhostRestoreLocalForm(run->fields->u, &local));
+  PetscCall(GhostedRestoreArrayRead(run->fields->u, &values));
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, sides, (PetscMPIInt)(2 * vi->num_pairs), MPIU_REAL, MPI_MAX, vi->level->comm));
   for (PetscInt p = 0; p < vi->num_pairs; p++) motion[p] = sides[2 * p] + sides[2 * p + 1];

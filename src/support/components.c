@@ -1,6 +1,7 @@
 /* components.c -- components of bodies. Sets of nodes are united cell by cell on every rank. Then ranks
    exchange the sets of common nodes until nothing changes. */
 #include "base/compat.h"
+#include "level/ghosted.h"
 #include "support/components.h"
 #include "kernel/disjointsets.h"
 
@@ -24,20 +25,19 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
 {
   PetscBool    changed = PETSC_TRUE;
   PetscScalar *n;
-  Vec          names, local;
+  Vec          names;
 
   PetscFunctionBeginUser;
   PetscCall(LevelCreateVec(level, 1, &names));
-  PetscCall(VecGhostGetLocalForm(names, &local));
   for (PetscInt i = 0; i < level->num_nodes; i++) name[i] = 0;
   for (PetscInt i = 0; i < level->num_nodes; i++) name[parent[i]] = PetscMax(name[parent[i]], level->node_global[i]);
   while (changed) {
-    PetscCall(VecGetArray(local, &n));
+    PetscCall(GhostedGetArray(names, &n));
     for (PetscInt i = 0; i < level->num_nodes; i++) n[i] = (PetscReal)name[parent[i]]; // integers below 2^53 are exact
-    PetscCall(VecRestoreArray(local, &n));
+    PetscCall(GhostedRestoreArray(names, &n));
     PetscCall(LevelShareVec(names, MAX_VALUES));
     changed = PETSC_FALSE;
-    PetscCall(VecGetArray(local, &n));
+    PetscCall(GhostedGetArray(names, &n));
     for (PetscInt i = 0; i < level->num_nodes; i++) {
       const PetscInt told = (PetscInt)PetscRealPart(n[i]);
 
@@ -45,11 +45,10 @@ static PetscErrorCode ComponentsNumber_Private(Level *level, const PetscInt pare
       name[parent[i]] = told;
       changed         = PETSC_TRUE;
     }
-    PetscCall(VecRestoreArray(local, &n));
+    PetscCall(GhostedRestoreArray(names, &n));
     PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &changed, 1, MPIU_BOOL, MPI_LOR, level->comm));
   }
   for (PetscInt i = 0; i < level->num_nodes; i++) name[i] = name[parent[i]];
-  PetscCall(VecGhostRestoreLocalForm(names, &local));
   PetscCall(VecDestroy(&names));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,4 +1,5 @@
 /* test_level.c -- tables, prolongation, Vecs, Mats and point location, on any number of ranks. */
+#include "level/ghosted.h"
 #include "mesh_scene.h"
 
 /* Orders of the upper and of the lower body. */
@@ -64,20 +65,19 @@ static void TestTables(PetscInt nx, PetscInt refine)
 /* Sums over ranks: every node gets the number of its cells. */
 static void TestShare(void)
 {
-  TestScene    t;
-  Mesh         mesh  = MakeMesh(&t, 4, 1, NULL);
-  Level       *level = MeshFinest(mesh);
-  Vec          v, local;
-  PetscScalar *x;
+  TestScene          t;
+  Mesh               mesh  = MakeMesh(&t, 4, 1, NULL);
+  Level             *level = MeshFinest(mesh);
+  Vec                v;
+  PetscScalar       *sum;
+  const PetscScalar *x;
 
   CHECK(!LevelCreateVec(level, 1, &v));
-  CHECK(!VecGhostGetLocalForm(v, &local));
-  CHECK(!VecSet(local, 0));
-  CHECK(!VecGetArray(local, &x));
-  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; ++i) x[level->cell_nodes[i]] += 1;
-  CHECK(!VecRestoreArray(local, &x));
+  CHECK(!GhostedGetArray(v, &sum));
+  for (PetscInt i = 0; i < level->cell_start[level->num_cells]; ++i) sum[level->cell_nodes[i]] += 1;
+  CHECK(!GhostedRestoreArray(v, &sum));
   CHECK(!LevelShareVec(v, ADD_VALUES));
-  CHECK(!VecGetArray(local, &x));
+  CHECK(!GhostedGetArrayRead(v, &x));
   for (PetscInt i = 0; i < level->num_nodes; ++i) {
     const PetscReal *at       = &level->coords[2 * i];
     const PetscBool  inside_x = at[0] > 0 && at[0] < 1 ? PETSC_TRUE : PETSC_FALSE;
@@ -88,8 +88,7 @@ static void TestShare(void)
     else if (inside_x && inside_y)
       CHECK(x[i] == 6);
   }
-  CHECK(!VecRestoreArray(local, &x));
-  CHECK(!VecGhostRestoreLocalForm(v, &local));
+  CHECK(!GhostedRestoreArrayRead(v, &x));
   CHECK(!VecDestroy(&v));
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
