@@ -35,14 +35,27 @@ static const char PREFIX[] = "nested_";
 /* The state of a level before or after its solve. */
 typedef struct {
   Vec            y;
-  Vec            active;   /* its set: 1 or 0 */
-  FrictionReport friction; /* of the last level that was solved, no nodes if it did not converge */
+  Vec            active;          /* its set: 1 or 0 */
+  FrictionReport friction;        /* of the last level that was solved, no nodes if it did not converge */
+  PetscBool      prolonged;       /* whether y and active come from a coarser level */
+  PetscReal      energy_decrease; /* twice the energy that y has less than the displacement of that level */
 } State;
+
+/* The way from the first level that is solved to the finest one. */
+typedef struct {
+  MeshLevels   levels;
+  SNESType     type;
+  PC           pc;          /* for cycles before the first system of the finest level, or NULL */
+  Solvability *solvability; /* of each level but the finest [levels->num] */
+  Proximal    *proximal;    /* of the finest level */
+  Proximal     own[2];      /* of a coarser level and the next one, alternating: they must not be moved */
+} Ascent;
 
 /* Zero, without contact. [out] state - to be destroyed by NestedIterationStateDestroy_Private() */
 static PetscErrorCode NestedIterationStateCreate_Private(const HierarchyLevel *level, State *state)
 {
   PetscFunctionBeginUser;
+  *state = (State){.prolonged = PETSC_FALSE};
   PetscCall(VecDuplicate(level->op.b, &state->y));
   PetscCall(VecDuplicate(state->y, &state->active));
   PetscCall(VecZeroEntries(state->y));
@@ -95,17 +108,16 @@ static PetscErrorCode NestedIterationRound_Private(const Operator *op, PetscBool
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the accuracy of a level. [in] energy_decrease, begun - of NestedIterationSolveLevel_Private() */
-static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, PetscBool friction,
-                                                           PetscReal part, PetscReal energy_decrease, PetscBool begun)
+/* Sets the accuracy of a level. [in] pdas - whether the SNES is of this type; [in] state - before its solve */
+static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, VI vi, const State *state)
 {
-  const PetscReal rtol = pdas || !begun ? COARSEST_RTOL : NESTED_OTHER_RTOL;
+  const PetscReal rtol = pdas || !state->prolonged ? COARSEST_RTOL : NESTED_OTHER_RTOL;
   KSP             ksp;
 
   PetscFunctionBeginUser;
-  if (pdas && begun && !friction) {
+  if (pdas && state->prolonged && !vi->friction) {
     PetscCall(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, NESTED_MAX_SETS, PETSC_DEFAULT));
-    PetscCall(PDASSetErrorReduction(snes, part, energy_decrease));
+    PetscCall(PDASSetErrorReduction(snes, DiscretizationStopPart(vi->scene), state->energy_decrease));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(SNESGetKSP(snes, &ksp));
@@ -211,11 +223,9 @@ static PetscErrorCode NestedIterationBegin_Private(MeshLevels levels, PetscInt m
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves on level m of the mesh. [in] proximal - of it; [in] type - of the SNES; [in] energy_decrease - of
-   PDASSetErrorReduction(); [in] begun - whether a coarser level says what to begin with; [in,out] state */
+/* Solves on level m of the mesh. [in] proximal - of it; [in] type - of the SNES; [in,out] state */
 static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, PetscInt m, Proximal *proximal,
-                                                        const char type[], PetscReal energy_decrease, PetscBool begun,
-                                                        State *state)
+                                                        const char type[], State *state)
 {
   const Inequality *solved    = &proximal->solved;
   const Hierarchy   hierarchy = levels->hierarchy;
@@ -223,7 +233,7 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   const PetscBool   pdas      = (PetscBool)!strcmp(type, SNESPDAS);
   SolverChoice      choice    = l ? (SolverChoice){.ksp = KSPCG, .pc = PCTRUNCATEDMG, .prefix = PREFIX}
                                   : (SolverChoice){.ksp = KSPPREONLY, .pc = PCCHOLESKY, .prefix = PREFIX};
-  PetscBool         set       = begun;
+  PetscBool         set       = state->prolonged;
   PetscReal         norm;
   SNES              snes;
   KSP               ksp;
@@ -234,8 +244,7 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscCall(PetscStrncpy(choice.snes, type, sizeof(choice.snes)));
   PetscCall(VecDuplicate(solved->b, &scratch));
   PetscCall(SNESSetupCreate(solved, &choice, scratch, &norm, &snes));
-  PetscCall(NestedIterationSetTolerances_Private(snes, pdas, (PetscBool)(solved->vi->friction != NULL),
-                                                 DiscretizationStopPart(solved->vi->scene), energy_decrease, begun));
+  PetscCall(NestedIterationSetTolerances_Private(snes, pdas, solved->vi, state));
   if (solved->vi->friction) {
     PetscCall(PDASSetFriction(snes, solved->vi->friction));
     PetscCall(PDASSetFrictionRho(snes, (PetscBool)(m + 2 == levels->num), NULL));
@@ -243,14 +252,15 @@ static PetscErrorCode NestedIterationSolveLevel_Private(MeshLevels levels, Petsc
   PetscCall(SNESGetKSP(snes, &ksp));
   PetscCall(KSPGetPC(ksp, &pc));
   if (l) PetscCall(MultigridSetHierarchy(pc, hierarchy, l, pdas ? NULL : snes));
-  if (!begun) PetscCall(NestedIterationBegin_Private(levels, m, pdas && l ? pc : NULL, proximal, state, &set));
+  if (!state->prolonged)
+    PetscCall(NestedIterationBegin_Private(levels, m, pdas && l ? pc : NULL, proximal, state, &set));
   if (pdas && set) PetscCall(PDASSetStart(snes, state->active));
   PetscCall(VecDuplicate(state->y, &before));
   PetscCall(VecCopy(state->y, before));
   if (pdas) PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   PetscCall(SNESSolve(snes, NULL, state->y));
   levels->change = 0;
-  if (pdas && begun && !solved->vi->friction)
+  if (pdas && state->prolonged && !solved->vi->friction)
     PetscCall(NestedIterationChange_Private(solved->vi, snes, &levels->change));
   PetscCall(NestedIterationGetState_Private(hierarchy, &hierarchy->level[l], snes, before, state));
   PetscCall(VecDestroy(&before));
@@ -347,9 +357,9 @@ static PetscErrorCode NestedIterationNeedsCycles_Private(const HierarchyLevel *l
 }
 
 /* The initial state of level m. [in] pc - of ActivePredictionApply(); [in] from - of the coarser level;
-   [in,out] proximal - of level m; [out] to; [out] energy_decrease - of NestedIterationStart() */
+   [in,out] proximal - of level m; [out] to */
 static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt m, PC pc, const State *from,
-                                                     Proximal *proximal, State *to, PetscReal *energy_decrease)
+                                                     Proximal *proximal, State *to)
 {
   const HierarchyLevel *level = &levels->hierarchy->level[levels->hierarchy->first + m];
   const PetscBool friction    = (PetscBool)(levels->vi[m]->friction != NULL); // whose cycles would let everything slide
@@ -361,13 +371,14 @@ static PetscErrorCode NestedIterationProlong_Private(MeshLevels levels, PetscInt
   if (levels->lift[m]) PetscCall(VecAXPY(to->y, 1, levels->lift[m]));
   PetscCall(NestedIterationSetFixed_Private(&level->op, to->y));
   PetscCall(ProximalSetCenter(proximal, to->y));
-  to->friction = from->friction;
+  to->friction  = from->friction;
+  to->prolonged = PETSC_TRUE;
   PetscCall(MatMult(level->P, from->active, to->active));
   PetscCall(NestedIterationRound_Private(&level->op, friction, to->active));
   if (friction) PetscFunctionReturn(PETSC_SUCCESS);
   if (pc) PetscCall(NestedIterationNeedsCycles_Private(level, pc, &cycles));
   PetscCall(NestedIterationAhead_Private(levels->hierarchy, level, cycles ? pc : NULL, PETSC_FALSE, to->y, to->active,
-                                         energy_decrease));
+                                         &to->energy_decrease));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -388,52 +399,61 @@ static PetscErrorCode NestedIterationGetCycles_Private(SNES snes, VI vi, PC *pc)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+static Proximal *AscentGetProximal_Private(Ascent *ascent, PetscInt m)
+{
+  return m + 1 < ascent->levels->num ? &ascent->own[m % 2] : ascent->proximal;
+}
+
+/* Solves level m and prolongs to the next one, which it begins. [in,out] state - of level m, then of m + 1 */
+static PetscErrorCode NestedIterationAscend_Private(Ascent *ascent, PetscInt m, State *state)
+{
+  const MeshLevels      levels = ascent->levels;
+  const HierarchyLevel *above  = &levels->hierarchy->level[levels->hierarchy->first + m + 1];
+  const PetscBool       last   = (PetscBool)(m + 2 == levels->num);
+  Proximal             *own = AscentGetProximal_Private(ascent, m), *next = AscentGetProximal_Private(ascent, m + 1);
+  State                 prolonged;
+
+  PetscFunctionBeginUser;
+  PetscCall(NestedIterationSolveLevel_Private(levels, m, own, ascent->type, state));
+  PetscCall(NestedIterationEndLevel_Private(levels, m, own, state->y));
+  if (!last) PetscCall(NestedIterationBeginLevel_Private(levels, m + 1, ascent->solvability[m + 1], next));
+  PetscCall(NestedIterationProlong_Private(levels, m + 1, last ? ascent->pc : NULL, state, next, &prolonged));
+  if (strcmp(ascent->type, SNESPDAS))
+    PetscCall(NestedIterationMoveToBounds_Private(&above->op, prolonged.active, prolonged.y));
+  PetscCall(NestedIterationStateDestroy_Private(state));
+  *state = prolonged;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode NestedIterationStart(MeshLevels levels, SNES snes, Proximal *proximal, Vec y, Vec active,
                                     PetscReal *energy_decrease, PetscBool *found)
 {
   const PetscInt finest = levels->num - 1;
-  SNESType       type;
-  PC             pc;
+  Ascent         ascent = {.levels = levels, .proximal = proximal};
   PetscInt       first;
-  Proximal       own[2]; // of this level and the next one, alternating: they must not be moved
-  Solvability   *solvability;
-  State          state = {.y = NULL}, next;
+  State          state;
 
   PetscFunctionBeginUser;
   *energy_decrease = 0;
-  PetscCall(PetscCalloc1(levels->num, &solvability));
-  PetscCall(SNESGetType(snes, &type));
-  PetscCall(NestedIterationGetCycles_Private(snes, proximal->solved.vi, &pc));
-  PetscCall(NestedIterationFindFirst_Private(levels, solvability, &first));
+  PetscCall(PetscCalloc1(levels->num, &ascent.solvability));
+  PetscCall(SNESGetType(snes, &ascent.type));
+  PetscCall(NestedIterationGetCycles_Private(snes, proximal->solved.vi, &ascent.pc));
+  PetscCall(NestedIterationFindFirst_Private(levels, ascent.solvability, &first));
   *found = (PetscBool)(first < finest);
-  if (!*found) PetscCall(NestedIterationPredict_Private(levels, finest, pc, proximal, y, active, found));
-  if (first < finest) {
-    PetscCall(NestedIterationBeginLevel_Private(levels, first, solvability[first], &own[first % 2]));
+  if (*found) {
+    PetscCall(NestedIterationBeginLevel_Private(levels, first, ascent.solvability[first], &ascent.own[first % 2]));
     PetscCall(NestedIterationStateCreate_Private(&levels->hierarchy->level[levels->hierarchy->first + first], &state));
-  }
-  for (PetscInt m = first; m < finest; m++) {
-    Proximal *above = m + 1 < finest ? &own[(m + 1) % 2] : proximal;
-
-    PetscCall(NestedIterationSolveLevel_Private(levels, m, &own[m % 2], type, *energy_decrease, (PetscBool)(m > first),
-                                                &state));
-    PetscCall(NestedIterationEndLevel_Private(levels, m, &own[m % 2], state.y));
-    if (m + 1 < finest) PetscCall(NestedIterationBeginLevel_Private(levels, m + 1, solvability[m + 1], above));
-    PetscCall(NestedIterationProlong_Private(levels, m + 1, m + 1 < finest ? NULL : pc, &state, above, &next,
-                                             energy_decrease));
-    if (strcmp(type, SNESPDAS))
-      PetscCall(NestedIterationMoveToBounds_Private(&levels->hierarchy->level[levels->hierarchy->first + m + 1].op,
-                                                    next.active, next.y));
-    PetscCall(NestedIterationStateDestroy_Private(&state));
-    state = next;
-  }
-  if (first < finest) {
+    for (PetscInt m = first; m < finest; m++) PetscCall(NestedIterationAscend_Private(&ascent, m, &state));
     PetscCall(VecCopy(state.y, y));
     PetscCall(VecCopy(state.active, active));
-    if (!strcmp(type, SNESPDAS)) PetscCall(PDASSetFrictionRho(snes, PETSC_TRUE, &state.friction));
+    *energy_decrease = state.energy_decrease;
+    if (!strcmp(ascent.type, SNESPDAS)) PetscCall(PDASSetFrictionRho(snes, PETSC_TRUE, &state.friction));
     PetscCall(NestedIterationStateDestroy_Private(&state));
+  } else {
+    PetscCall(NestedIterationPredict_Private(levels, finest, ascent.pc, proximal, y, active, found));
   }
-  for (PetscInt m = 0; m < finest; m++) PetscCall(SolvabilityDestroy(&solvability[m]));
-  PetscCall(PetscFree(solvability));
+  for (PetscInt m = 0; m < finest; m++) PetscCall(SolvabilityDestroy(&ascent.solvability[m]));
+  PetscCall(PetscFree(ascent.solvability));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -137,54 +137,86 @@ PetscErrorCode SolverUpdate(Solver solver)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool progress, Vec guess, Vec y,
-                         SolverReport *report)
+/* Begins at coarser levels, at the solution before, or with the set of an iteration that this one replaces.
+   [in] nested - whether at coarser levels; [in] guessed - whether y is a solution before;
+   [out] energy_decrease - of NestedIterationStart(), or 0 */
+static PetscErrorCode SolverStart_Private(SolverContext *context, PetscBool nested, PetscBool guessed, Vec y,
+                                          PetscReal *energy_decrease)
 {
-  const Solvability solvability     = solver->solvability;
-  const PetscBool   pdas            = (PetscBool)!strcmp(choice->snes, SNESPDAS);
-  const PetscBool   nested          = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
-  PetscReal         energy_decrease = 0;
-  PetscBool         predict;
-  SolverContext    *context;
+  const Solver    solver   = context->solver;
+  const PetscBool extended = solver->extended;
+  const PetscBool pdas     = (PetscBool)!strcmp(context->choice.snes, SNESPDAS);
+  const PetscBool resumes  = (PetscBool)(context->used && SolverHasBlocks_Private(context->levels));
 
   PetscFunctionBeginUser;
-  PetscCall(PetscMemzero(report, sizeof(*report)));
-  PetscCall(SolverContextTake(solver, choice, (PetscBool)(solvability || guess || nested), &context));
-  if (!context->levels) PetscCall(SolverContextSetLevels(context, NULL));
-  predict = (PetscBool)(solver->extended || (context->used && SolverHasBlocks_Private(context->levels)));
-  if (progress && !context->used) PetscCall(ProgressSet(context->snes, &context->proximal.solved));
-  context->used = PETSC_TRUE;
-  PetscCall(InitialGuessSet(&context->proximal.solved, solvability, choice, context->snes, guess, y));
-  if (!pdas) PetscCall(SolverContextSetLevels(context, context->snes));
-  PetscCall(ProximalSetStart(&context->proximal, guess ? y : NULL, context->snes, pdas));
-  if (pdas && (choice->bound || solvability || choice->again)) PetscCall(PDASSetKeep(context->snes, PETSC_TRUE));
-  if (context->levels) context->levels->cost.on = choice->yields;
-  if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, &energy_decrease));
-  if (context->levels && !nested && guess && pdas && predict && !solver->vi->friction)
-    PetscCall(SolverStartExtended_Private(context, (PetscBool)!solver->extended, y));
+  *energy_decrease = 0;
+  context->used    = PETSC_TRUE;
   solver->extended = PETSC_FALSE;
+  if (context->levels && nested) PetscCall(SolverStartNested_Private(context, y, energy_decrease));
+  if (context->levels && !nested && guessed && pdas && (extended || resumes) && !solver->vi->friction)
+    PetscCall(SolverStartExtended_Private(context, (PetscBool)!extended, y));
   if (pdas) PetscCall(SolverTakeSet_Private(solver, context));
-  if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
-  PetscCall(SolverIterateProximal_Private(context, y, report));
-  if (report->slid && report->friction.rho < 1) PetscCall(ProximalTestSliding(&context->proximal, y));
-  if (pdas && !solvability) PetscCall(SolverLeaveSet_Private(solver, context, report));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* What is measured at a solution, and where it stops by such a measure, the iterations that are left. */
+static PetscErrorCode SolverMeasure_Private(SolverContext *context, const SolverChoice *choice, Vec y,
+                                            SolverReport *report)
+{
+  PetscFunctionBeginUser;
   report->bound.value = report->discretisation = NAN;
-  if (choice->bound && !pdas) PetscCall(SolverContextSetLevels(context, NULL));
+  if (choice->bound && strcmp(choice->snes, SNESPDAS)) PetscCall(SolverContextSetLevels(context, NULL));
   if (choice->bound) PetscCall(ErrorBoundCompute(&context->proximal, context->snes, y, &report->bound));
   if (choice->stop) PetscCall(DiscretizationStopConfirm(context, y, report));
   if (context->levels) {
     report->work           = context->levels->hierarchy->work;
     report->predicted_cost = CostModelPredicted(&context->levels->cost);
   }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Friction that lets bodies slide is no solution of theirs. */
+static PetscErrorCode SolverRefuseSliding_Private(const Solvability solvability, SolverReport *report)
+{
+  PetscFunctionBeginUser;
+  if (!report->converged && !report->slid) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!solvability || !solvability->driven.num) PetscFunctionReturn(PETSC_SUCCESS);
+  report->converged = PETSC_FALSE;
+  PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
+                          "friction holds the loads no longer, smaller -load_steps may tell from when on: %s, and "
+                          "nothing resists",
+                          solvability->driven.sentence));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool progress, Vec guess, Vec y,
+                         SolverReport *report)
+{
+  const Solvability solvability = solver->solvability;
+  const PetscBool   pdas        = (PetscBool)!strcmp(choice->snes, SNESPDAS);
+  const PetscBool   nested      = (PetscBool)(choice->nested && (!guess || choice->stop) && (!solvability || pdas));
+  PetscReal         energy_decrease;
+  SolverContext    *context;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMemzero(report, sizeof(*report)));
+  PetscCall(SolverContextTake(solver, choice, (PetscBool)(solvability || guess || nested), &context));
+  if (!context->levels) PetscCall(SolverContextSetLevels(context, NULL));
+  if (progress && !context->used) PetscCall(ProgressSet(context->snes, &context->proximal.solved));
+  PetscCall(InitialGuessSet(&context->proximal.solved, solvability, choice, context->snes, guess, y));
+  if (!pdas) PetscCall(SolverContextSetLevels(context, context->snes));
+  PetscCall(ProximalSetStart(&context->proximal, guess ? y : NULL, context->snes, pdas));
+  if (pdas && (choice->bound || solvability || choice->again)) PetscCall(PDASSetKeep(context->snes, PETSC_TRUE));
+  if (context->levels) context->levels->cost.on = choice->yields;
+  PetscCall(SolverStart_Private(context, nested, (PetscBool)(guess != NULL), y, &energy_decrease));
+  if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
+  PetscCall(SolverIterateProximal_Private(context, y, report));
+  if (report->slid && report->friction.rho < 1) PetscCall(ProximalTestSliding(&context->proximal, y));
+  if (pdas && !solvability) PetscCall(SolverLeaveSet_Private(solver, context, report));
+  PetscCall(SolverMeasure_Private(context, choice, y, report));
   PetscCall(SolverContextReturn(&context, (PetscBool)(choice->again && pdas && report->converged), y));
   PetscCall(MinimumNormApply(solver->vi, solvability, y));
-  if ((report->converged || report->slid) && solvability && solvability->driven.num) {
-    report->converged = PETSC_FALSE;
-    PetscCall(PetscSNPrintf(report->reason, sizeof(report->reason),
-                            "friction holds the loads no longer, smaller -load_steps may tell from when on: %s, and "
-                            "nothing resists",
-                            solvability->driven.sentence));
-  }
+  PetscCall(SolverRefuseSliding_Private(solvability, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
