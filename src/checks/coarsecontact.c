@@ -88,50 +88,62 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
   if (!mirrored) ends[ANGLE] = PetscMax(ends[ANGLE], angle);
 }
 
+/* What is known of the nodes of a nonmortar side, at local nodes. */
+typedef struct {
+  const PetscScalar *mark, *way, *angle; /* of CoarseContactMark_Private(), SideCornersGetEnds() and -Angles() */
+} NodesKnown;
+
+/* Adds how the patch ends on a facet: at its vertices, or between two of its nodes.
+   [in] nodes - of the facet; [in,out] ends - [NUM_ENDS] */
+static void CoarseContactAddFacet_Private(const VI vi, const NodesKnown *known, ElementType type,
+                                          const PetscInt nodes[], const ContactPatch *patch, PetscReal ends[])
+{
+  const PetscInt   dim = vi->level->dim, num = ElementNumNodes(type);
+  const PetscReal *axis = patch->axis[dim - 2];
+
+  for (PetscInt i = 0; i < num; i++) {
+    const PetscReal *x = &vi->level->coords[nodes[i] * dim];
+
+    if (PetscRealPart(known->mark[nodes[i]]) != NODE_IN) continue;
+    if (i < ElementNumNodes(ElementLinear(type)))
+      CoarseContactAddVertex_Private(&vi->support, nodes[i], &known->way[nodes[i] * dim],
+                                     PetscRealPart(known->angle[nodes[i]]), patch, ends);
+    for (PetscInt j = 0; j < num; j++) {
+      PetscReal to[3];
+
+      if (PetscRealPart(known->mark[nodes[j]]) != NODE_OUT) continue;
+      for (PetscInt k = 0; k < dim; k++) to[k] = vi->level->coords[nodes[j] * dim + k] - x[k];
+      if (PetscAbsReal(VectorDot(dim, to, axis)) > ACROSS * PetscSqrtReal(VectorDot(dim, to, to))) ends[IS_INNER] = 1;
+    }
+  }
+}
+
 /* How the patch ends. Collective. [out] ends - 1 or 0, and the angle [NUM_ENDS] */
 static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Vec marks, const ContactPatch *patch,
                                                    PetscReal ends[])
 {
-  const VI           vi    = fields->vi;
-  const Pair         pair  = vi->pairs[p];
-  Level             *level = vi->level;
-  const PetscInt     dim   = level->dim;
-  const PetscReal   *axis  = patch->axis[dim - 2];
-  const PetscScalar *mark, *way, *angle;
-  Facets             facets;
-  Vec                ways, angles;
+  const VI   vi    = fields->vi;
+  const Pair pair  = vi->pairs[p];
+  Level     *level = vi->level;
+  NodesKnown known;
+  Facets     facets;
+  Vec        ways, angles;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < NUM_ENDS; i++) ends[i] = 0;
   PetscCall(LevelGetFacets(level, vi->scene, pair->spec->nonmortar.body, pair->spec->nonmortar.side, &facets));
   PetscCall(SideCornersGetEnds(level, &facets, &ways));
   PetscCall(SideCornersGetAngles(level, pair->spec->nonmortar.body, &angles));
-  PetscCall(GhostedGetArrayRead(marks, &mark));
-  PetscCall(GhostedGetArrayRead(ways, &way));
-  PetscCall(GhostedGetArrayRead(angles, &angle));
-  for (PetscInt f = 0; f < facets.num; f++) {
-    const PetscInt *nodes = &facets.nodes[f * F], num = ElementNumNodes(facets.type[f]);
-
-    for (PetscInt i = 0; i < num; i++) {
-      if (PetscRealPart(mark[nodes[i]]) != NODE_IN) continue;
-      if (i < ElementNumNodes(ElementLinear(facets.type[f])))
-        CoarseContactAddVertex_Private(&vi->support, nodes[i], &way[nodes[i] * dim], PetscRealPart(angle[nodes[i]]),
-                                       patch, ends);
-      for (PetscInt j = 0; j < num; j++) {
-        PetscReal to[3];
-
-        if (PetscRealPart(mark[nodes[j]]) != NODE_OUT) continue;
-        for (PetscInt k = 0; k < dim; k++)
-          to[k] = level->coords[nodes[j] * dim + k] - level->coords[nodes[i] * dim + k];
-        if (PetscAbsReal(VectorDot(dim, to, axis)) > ACROSS * PetscSqrtReal(VectorDot(dim, to, to))) ends[IS_INNER] = 1;
-      }
-    }
-  }
+  PetscCall(GhostedGetArrayRead(marks, &known.mark));
+  PetscCall(GhostedGetArrayRead(ways, &known.way));
+  PetscCall(GhostedGetArrayRead(angles, &known.angle));
+  for (PetscInt f = 0; f < facets.num; f++)
+    CoarseContactAddFacet_Private(vi, &known, facets.type[f], &facets.nodes[f * F], patch, ends);
   for (PetscInt a = 0; a < pair->num; a++)
-    if (PairSumEndsPartner(pair, a) && PetscRealPart(mark[pair->nodes[a]]) == NODE_IN) ends[IS_PARTNERS] = 1;
-  PetscCall(GhostedRestoreArrayRead(angles, &angle));
-  PetscCall(GhostedRestoreArrayRead(ways, &way));
-  PetscCall(GhostedRestoreArrayRead(marks, &mark));
+    if (PairSumEndsPartner(pair, a) && PetscRealPart(known.mark[pair->nodes[a]]) == NODE_IN) ends[IS_PARTNERS] = 1;
+  PetscCall(GhostedRestoreArrayRead(angles, &known.angle));
+  PetscCall(GhostedRestoreArrayRead(ways, &known.way));
+  PetscCall(GhostedRestoreArrayRead(marks, &known.mark));
   PetscCall(VecDestroy(&angles));
   PetscCall(VecDestroy(&ways));
   PetscCall(FacetsDestroy(&facets));

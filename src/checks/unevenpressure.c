@@ -16,6 +16,8 @@
 /* A pressure shows that exceeds the mean around it by this part. Under a paraboloid three facets wide it does
    so by a sixth. */
 static const PetscReal UNEVEN = 0.25;
+/* Directions are normal to each other if they are less than 30 degrees from it. */
+static const PetscReal NORMAL_TO = 0.5;
 /* The nonmortar side is stiffer by this factor of contact moduli at least. At 3, the largest pressure of a
    ball in a cup of facets twice as long is 1.24 times the mean (order 1), at 10 1.45 times. */
 static const PetscReal STIFFNESS_RATIO = 3;
@@ -105,46 +107,59 @@ static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found)
+/* Whether planes of symmetry cut the side where it ends, so that it goes on behind them as its mirror image.
+   Supports hold such a node along the side, in space normal to its boundary.
+   [in] way - of SideCornersGetEnds() */
+static PetscBool UnevenPressureIsMirrored_Private(const Support *support, const Pair pair, PetscInt a,
+                                                  const PetscScalar way[])
+{
+  const PetscInt   dim = support->dim, node = pair->nodes[a];
+  const PetscReal *n         = &pair->frame[a * dim * dim];
+  PetscReal        along[3]  = {0, 0, 0};
+  PetscInt         num_held  = 0;
+  PetscBool        is_normal = PETSC_FALSE;
+
+  for (PetscInt k = 0; k < dim; k++) along[k] = PetscRealPart(way[k]);
+  for (PetscInt j = 0; j < support->count[node]; j++) {
+    const PetscReal *d = &support->directions[(node * dim + j) * dim];
+
+    if (PetscAbsReal(VectorDot(dim, d, n)) > NORMAL_TO) continue;
+    num_held++;
+    is_normal = (PetscBool)(PetscAbsReal(VectorDot(dim, d, along)) < NORMAL_TO * VectorNorm(dim, along));
+  }
+  return (PetscBool)(num_held == dim - 1 || (num_held == 1 && is_normal));
+}
+
+/* The mean pressure and the ratio of facets around the largest pressure. Collective.
+   [in] row - of it; [out] around - 0 at an edge [2] */
+static PetscErrorCode UnevenPressureAround_Private(Fields fields, PetscInt p, PetscInt row, PetscReal around[])
 {
   const VI           vi   = fields->vi;
   const Pair         pair = vi->pairs[p];
   const PetscInt     dim  = vi->level->dim;
   const PetscScalar *sum, *way;
-  PetscReal          around[2] = {0, 0}; /* mean, ratio */
-  SideMeasure        side[2];
-  PairSum            pressed;
+  PetscInt           begin, end;
   Vec                rows, sums, ways;
 
   PetscFunctionBeginUser;
-  *found = (UnevenPressure){.shows = PETSC_FALSE};
-  if (pair->spec->type != PAIR_CONTACT || pair->spec->mortar.body < 0) PetscFunctionReturn(PETSC_SUCCESS);
-  if (vi->scene->bodies[pair->spec->nonmortar.body].num_regions ||
-      vi->scene->bodies[pair->spec->mortar.body].num_regions)
-    PetscFunctionReturn(PETSC_SUCCESS); // pressures of layers differ without a fault of the mesh
-  PetscCall(PairSumCompute(fields, p, &pressed));
-  if (!pressed.active) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(SideMeasureCompute(vi->scene, vi->level, &pair->spec->nonmortar, &side[0]));
-  PetscCall(SideMeasureCompute(vi->scene, vi->level, &pair->spec->mortar, &side[1]));
-  if (side[0].modulus <= STIFFNESS_RATIO * side[1].modulus) PetscFunctionReturn(PETSC_SUCCESS);
-  found->largest = pressed.max_pressure;
-  PetscCall(PetscArraycpy(found->at, pressed.max_pressure_at, 3));
+  around[0] = around[1] = 0;
   PetscCall(UnevenPressureCreateRows_Private(fields, p, &rows));
   PetscCall(UnevenPressureCreateSums_Private(fields, p, rows, &sums));
   PetscCall(SideCornersGetEnds(vi->level, &pair->points->facets, &ways));
   PetscCall(VecGetArrayRead(sums, &sum));
   PetscCall(VecGetArrayRead(ways, &way));
-  for (PetscInt a = 0; a < pair->num; a++) {
-    const PetscInt     node = pair->nodes[a];
+  PetscCall(VecGetOwnershipRange(fields->lambda, &begin, &end));
+  if (row >= begin && row < end) {
+    const PetscInt     a = vi->row_node[row - begin], node = pair->nodes[a];
     const PetscScalar *of   = &sum[node * NUM_SUMS];
-    PetscBool          same = PETSC_TRUE;
+    PetscBool          edge = (PetscBool)(!(PetscRealPart(of[COVERED]) > 0) || PairSumEndsPartner(pair, a));
 
-    for (PetscInt k = 0; k < dim; k++) same = (PetscBool)(same && vi->level->coords[node * dim + k] == found->at[k]);
-    if (!same || !(PetscRealPart(of[COVERED]) > 0)) continue;
-    if (PairSumEndsPartner(pair, a)) continue;
-    if (SideCornersIsEnd(dim, &way[node * dim], PetscRealPart(of[NONMORTAR] / of[COVERED]))) continue;
-    around[0] = PetscRealPart(of[FORCE] / of[AREA]);
-    around[1] = PetscRealPart(of[MORTAR] / of[NONMORTAR]);
+    if (!edge && SideCornersIsEnd(dim, &way[node * dim], PetscRealPart(of[NONMORTAR] / of[COVERED])))
+      edge = (PetscBool)!UnevenPressureIsMirrored_Private(&vi->support, pair, a, &way[node * dim]);
+    if (!edge) {
+      around[0] = PetscRealPart(of[FORCE] / of[AREA]);
+      around[1] = PetscRealPart(of[MORTAR] / of[NONMORTAR]);
+    }
   }
   PetscCall(VecRestoreArrayRead(ways, &way));
   PetscCall(VecRestoreArrayRead(sums, &sum));
@@ -152,8 +167,33 @@ PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *fou
   PetscCall(VecDestroy(&sums));
   PetscCall(VecDestroy(&rows));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, around, 2, MPIU_REAL, MPI_MAX, vi->level->comm));
-  found->mean  = around[0];
-  found->ratio = around[1];
-  found->shows = (PetscBool)(found->ratio > 1 && found->largest > (1 + UNEVEN) * found->mean);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found)
+{
+  const VI         vi     = fields->vi;
+  const ScenePair *spec   = vi->pairs[p]->spec;
+  const SceneBody *bodies = vi->scene->bodies;
+  PetscReal        around[2]; /* mean, ratio */
+  SideMeasure      side[2];
+  PairSum          pressed;
+
+  PetscFunctionBeginUser;
+  *found = (UnevenPressure){.shows = PETSC_FALSE};
+  if (spec->type != PAIR_CONTACT || spec->mortar.body < 0) PetscFunctionReturn(PETSC_SUCCESS);
+  if (bodies[spec->nonmortar.body].num_regions || bodies[spec->mortar.body].num_regions)
+    PetscFunctionReturn(PETSC_SUCCESS); // pressures of layers differ without a fault of the mesh
+  PetscCall(PairSumCompute(fields, p, &pressed));
+  if (!pressed.active) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(SideMeasureCompute(vi->scene, vi->level, &spec->nonmortar, &side[0]));
+  PetscCall(SideMeasureCompute(vi->scene, vi->level, &spec->mortar, &side[1]));
+  if (side[0].modulus <= STIFFNESS_RATIO * side[1].modulus) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(UnevenPressureAround_Private(fields, p, pressed.max_pressure_row, around));
+  PetscCall(PetscArraycpy(found->at, pressed.max_pressure_at, 3));
+  found->largest = pressed.max_pressure;
+  found->mean    = around[0];
+  found->ratio   = around[1];
+  found->shows   = (PetscBool)(found->ratio > 1 && found->largest > (1 + UNEVEN) * found->mean);
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -13,7 +13,8 @@ typedef struct {
 } UnevenPressure;
 
 /* Of pair p. Nothing shows at an edge of the nonmortar side or of its partner, where the pressure may be
-   unbounded. Nothing shows on bodies with regions of other materials. Collective. */
+   unbounded. A plane of symmetry makes no edge. Nothing shows on bodies with regions of other materials.
+   Collective. */
 PetscErrorCode UnevenPressureFind(Fields fields, PetscInt p, UnevenPressure *found);
 
 #endif

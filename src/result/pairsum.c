@@ -22,7 +22,7 @@ PetscBool PairSumEndsPartner(const Pair pair, PetscInt a)
   return (PetscBool)(pair->partly_covered[a] && pair->cover[a] < 1 - RIM_SHARE);
 }
 
-/* One row: tied tangential rows only have a force. */
+/* One row: tied tangential rows only have a force. [in,out] peak - the largest pressure, of the owner r */
 static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal slack, PetscReal sums[],
                                   PetscReal largest[], Largest *peak)
 {
@@ -41,7 +41,7 @@ static void PairSumAddRow_Private(Fields fields, PetscInt r, PetscReal lambda, P
   if (fields->row_status[r] == STATUS_OPEN) return;
   if (lambda > 0) sums[ADD_AREA] += weight;
   sums[ADD_ACTIVE] += 1;
-  LargestTake(peak, lambda, dim, x, 0);
+  LargestTake(peak, lambda, dim, x, (PetscReal)r);
   if (!PairSumEndsPartner(pair, a)) largest[MAX_COVERED] = PetscMax(largest[MAX_COVERED], lambda);
   for (PetscInt k = 0; k < dim; k++) {
     largest[MAX_LOWER + k] = PetscMax(largest[MAX_LOWER + k], -x[k]);
@@ -208,17 +208,20 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   const VI         vi              = fields->vi;
   PetscReal        sums[ADD_COUNT] = {0}, largest[MAX_COUNT];
   const PetscReal *lambda = NULL, *slack = NULL;
-  Largest          peak = {.value = -PETSC_MAX_REAL, .at = {NAN, NAN, NAN}};
+  Largest          peak  = {.value = -PETSC_MAX_REAL, .at = {NAN, NAN, NAN}, .owner = -1};
+  PetscInt         begin = 0;
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < MAX_COUNT; i++) largest[i] = PETSC_NINFINITY;
   if (fields->lambda) {
+    PetscCall(VecGetOwnershipRange(fields->lambda, &begin, NULL));
     PetscCall(VecGetArrayRead(fields->lambda, &lambda));
     PetscCall(VecGetArrayRead(fields->slack, &slack));
   }
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] == p) PairSumAddRow_Private(fields, r, lambda[r], slack[r], sums, largest, &peak);
   }
+  if (peak.owner >= 0) peak.owner += (PetscReal)begin;
   if (fields->lambda) PetscCall(PairSumExtend_Private(fields, p, largest));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, ADD_COUNT, MPIU_REAL, MPI_SUM, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, vi->level->comm));
@@ -227,8 +230,9 @@ PetscErrorCode PairSumCompute(Fields fields, PetscInt p, PairSum *sum)
   sum->area         = sums[ADD_AREA];
   sum->active       = (PetscInt)sums[ADD_ACTIVE];
   sum->max_pressure = !sum->active ? 0.0 : peak.value > -PETSC_MAX_REAL ? peak.value : NAN; // no number, no largest one
-  sum->max_covered  = PetscMax(largest[MAX_COVERED], 0);
-  sum->min_gap      = largest[MAX_CLOSED] > PETSC_NINFINITY ? -largest[MAX_CLOSED] : NAN; // no node, no gap
+  sum->max_pressure_row = (PetscInt)peak.owner;
+  sum->max_covered      = PetscMax(largest[MAX_COVERED], 0);
+  sum->min_gap          = largest[MAX_CLOSED] > PETSC_NINFINITY ? -largest[MAX_CLOSED] : NAN; // no node, no gap
   for (PetscInt k = 0; k < 3; k++) {
     sum->force[k]           = sums[ADD_FORCE + k];
     sum->lower[k]           = sum->active ? -largest[MAX_LOWER + k] : NAN;
@@ -254,6 +258,7 @@ PairSum PairSumUnknown(void)
   PairSum sum = {.normal_force     = NAN,
                  .area             = NAN,
                  .max_pressure     = NAN,
+                 .max_pressure_row = -1,
                  .max_covered      = NAN,
                  .min_gap          = NAN,
                  .moment_imbalance = NAN};

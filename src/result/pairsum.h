@@ -10,6 +10,7 @@ typedef struct {
   PetscReal normal_force; /* integral of the pressure */
   PetscReal area;         /* where the pressure is positive */
   PetscReal max_pressure, max_pressure_at[3];
+  PetscInt  max_pressure_row; /* its row among those of all ranks; -1 without one */
   PetscReal
       max_covered; /* the largest where PairSumEndsPartner() is false: others are extrapolated from a part of a facet */
   PetscReal min_gap;

@@ -108,7 +108,8 @@ static PetscErrorCode NestedIterationRound_Private(const Operator *op, PetscBool
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sets the accuracy of a level. [in] pdas - whether the SNES is of this type; [in] state - before its solve */
+/* Sets the accuracy of a level. [in] pdas - whether the SNES is of that type;
+   [in] state - before the solve */
 static PetscErrorCode NestedIterationSetTolerances_Private(SNES snes, PetscBool pdas, VI vi, const State *state)
 {
   const PetscReal rtol = pdas || !state->prolonged ? COARSEST_RTOL : NESTED_OTHER_RTOL;
