@@ -11,16 +11,15 @@
 #include "result/sidenodes.h"
 #include "base/compat.h"
 
-/* A row of the table. */
+/* A row of the table: reals alone, which are gathered as such. */
 typedef struct {
-  PetscInt  node; /* global */
+  PetscReal node; /* its global number */
   PetscReal x[3], pressure, gap, status, force;
   PetscReal traction[3], slip[3]; /* with friction */
   PetscReal arc;                  /* along its piece */
 } SideNode;
 
-/* Reals that are gathered per node: x, pressure, gap, status, force, and with friction traction and slip. */
-enum { SIDE_TRACTION = 7, SIDE_SLIP = SIDE_TRACTION + 3, SIDE_REALS = SIDE_SLIP + 3 };
+enum { SIDE_REALS = sizeof(SideNode) / sizeof(PetscReal) };
 
 /* Links between neighbouring nodes, as positions in the sorted nodes, and their lengths. */
 typedef struct {
@@ -61,14 +60,16 @@ static int CSVCompareChain_Private(const void *a, const void *b)
   return CSVComparePlace_Private(((const SidePiece *)a)->first, ((const SidePiece *)b)->first);
 }
 
-/* Gathers the nodes of the side on the first rank, sorted by global number. */
+/* Gathers the nodes of the side on the first rank, by ascending global number. Collective.
+   [out] nodes - [num], on other ranks none; owned by the caller */
 static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Facets *facets, PetscInt *num,
                                              SideNode **nodes)
 {
   Level         *level = fields->vi->level;
   const PetscInt dim   = level->dim;
-  PetscInt       n, *mine, *ids, *all_ids;
-  PetscReal     *reals, *all_reals, *traction, *slip;
+  PetscInt       n, *mine, num_reals;
+  PetscReal     *reals, *traction, *slip;
+  SideNode      *own;
   PairFields     nodal;
 
   PetscFunctionBeginUser;
@@ -77,42 +78,28 @@ static PetscErrorCode CSVGatherNodes_Private(Fields fields, PetscInt p, const Fa
   PairFieldsOmitBeyond(fields->vi->pairs[p], &nodal);
   PetscCall(PetscMalloc2(level->num_owned * dim, &traction, level->num_owned * dim, &slip));
   PetscCall(FrictionFieldsGet(fields, p, traction, slip));
-  PetscCall(PetscMalloc2(n, &ids, n * SIDE_REALS, &reals));
+  PetscCall(PetscMalloc1(n, &own));
   for (PetscInt i = 0; i < n; i++) {
-    const PetscInt a   = mine[i];
-    PetscReal     *row = &reals[i * SIDE_REALS];
+    const PetscInt a = mine[i];
 
-    for (PetscInt k = 0; k < 3; k++) row[k] = k < dim ? level->coords[a * dim + k] : 0.0;
-    row[3] = nodal.pressure[a], row[4] = nodal.gap[a], row[5] = nodal.status[a], row[6] = nodal.force[a];
-    for (PetscInt k = 0; k < 3; k++) {
-      row[SIDE_TRACTION + k] = k < dim ? traction[a * dim + k] : 0;
-      row[SIDE_SLIP + k]     = k < dim ? slip[a * dim + k] : 0;
-    }
-    ids[i] = level->node_global[a];
-  }
-  PetscCall(GatherArraysInt(level->comm, n, ids, num, &all_ids));
-  PetscCall(GatherArraysReal(level->comm, n * SIDE_REALS, reals, NULL, &all_reals));
-  PetscCall(PetscMalloc1(*num, nodes));
-  for (PetscInt i = 0; i < *num; i++) {
-    const PetscReal *row = &all_reals[i * SIDE_REALS];
-
-    (*nodes)[i] = (SideNode){.node     = all_ids[i],
-                             .x        = {row[0], row[1], row[2]},
-                             .pressure = row[3],
-                             .gap      = row[4],
-                             .status   = row[5],
-                             .force    = row[6]};
-    for (PetscInt k = 0; k < 3; k++) {
-      (*nodes)[i].traction[k] = row[SIDE_TRACTION + k];
-      (*nodes)[i].slip[k]     = row[SIDE_SLIP + k];
+    own[i] = (SideNode){.node     = (PetscReal)level->node_global[a],
+                        .pressure = nodal.pressure[a],
+                        .gap      = nodal.gap[a],
+                        .status   = nodal.status[a],
+                        .force    = nodal.force[a]};
+    for (PetscInt k = 0; k < dim; k++) {
+      own[i].x[k]        = level->coords[a * dim + k];
+      own[i].traction[k] = traction[a * dim + k];
+      own[i].slip[k]     = slip[a * dim + k];
     }
   }
+  PetscCall(GatherArraysReal(level->comm, n * SIDE_REALS, (const PetscReal *)own, &num_reals, &reals));
+  *num   = num_reals / SIDE_REALS;
+  *nodes = (SideNode *)reals;
+  PetscCall(PetscFree(own));
   PetscCall(PetscFree2(traction, slip));
-  PetscCall(PetscFree(all_ids));
-  PetscCall(PetscFree(all_reals));
-  PetscCall(PetscFree(mine));
-  PetscCall(PetscFree2(ids, reals));
   PetscCall(PairFieldsDestroy(&nodal));
+  PetscCall(PetscFree(mine));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -164,7 +151,7 @@ static PetscErrorCode CSVCreateLinks_Private(const Level *level, const Facets *f
   PetscCall(GatherArraysReal(level->comm, n, lengths, &links->num, &links->length));
   PetscCall(PetscFree2(ends, lengths));
   for (PetscInt i = 0; i < 2 * links->num; i++) {
-    const SideNode  key   = {.node = links->ends[i]};
+    const SideNode  key   = {.node = (PetscReal)links->ends[i]};
     const SideNode *found = (const SideNode *)bsearch(&key, nodes, num_nodes, sizeof(key), CSVCompareNode_Private);
 
     links->ends[i] = (PetscInt)(found - nodes);
@@ -307,11 +294,11 @@ static void CSVWriteChains_Private(FILE *out, const SideNode nodes[], const Pets
 
 PetscErrorCode CSVWritePair(Fields fields, PetscInt p, FileSet *files, const char final[])
 {
-  Level           *level    = fields->vi->level;
-  const SceneSide *side     = &fields->vi->pairs[p]->spec->nonmortar;
-  const PetscBool  friction = ScenePairHasFriction(fields->vi->pairs[p]->spec);
-  PetscInt         num_nodes, num_pieces, *order;
-  SideLinks        links = {0, NULL, NULL};
+  Level           *level     = fields->vi->level;
+  const SceneSide *side      = &fields->vi->pairs[p]->spec->nonmortar;
+  const PetscBool  friction  = ScenePairHasFriction(fields->vi->pairs[p]->spec);
+  PetscInt         num_nodes = 0, num_pieces, *order;
+  SideLinks        links     = {0, NULL, NULL};
   SideNode        *nodes;
   SidePiece       *pieces;
   FILE            *out = NULL;

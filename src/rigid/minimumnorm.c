@@ -236,14 +236,33 @@ static PetscErrorCode MinimumNormSetFreeMotions_Private(VI vi, Solvability s, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How far contacts are from closing. [in,out] slack - of rows of contact, others unchanged [vi->num_rows] */
+static PetscErrorCode MinimumNormGetSlack_Private(VI vi, Solvability s, Vec y, PetscReal slack[])
+{
+  const PetscInt     first = vi->level->dim * vi->level->node_begin;
+  const PetscScalar *ya, *upper;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetArrayRead(y, &ya));
+  PetscCall(VecGetArrayRead(vi->upper, &upper));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt i = vi->row_dof[r] - first;
+
+    if ((s->tangent && s->tangent[r]) || s->nodal.equality[r]) continue;
+    slack[r] = vi->length * PetscRealPart(upper[i] - ya[i]);
+  }
+  PetscCall(VecRestoreArrayRead(vi->upper, &upper));
+  PetscCall(VecRestoreArrayRead(y, &ya));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
 {
-  const PetscInt first = vi->level->dim * vi->level->node_begin;
-  Cone           cone;
-  Vec            u;
-  MinimumNorm    problem;
-  PetscReal     *kernel, *q, *rows = NULL;
-  PetscInt       n;
+  Cone        cone;
+  Vec         u;
+  MinimumNorm problem;
+  PetscReal  *kernel, *q, *rows = NULL;
+  PetscInt    n;
 
   PetscFunctionBeginUser;
   if (!s || s->status == SOLVABLE_NOT) PetscFunctionReturn(PETSC_SUCCESS);
@@ -261,18 +280,7 @@ PetscErrorCode MinimumNormApply(VI vi, Solvability s, Vec y)
   PetscCall(ConeKernel(&cone, problem.pressed, &n, kernel));
   PetscCall(MinimumNormSetFreeMotions_Private(vi, s, n, kernel));
   if (n) {
-    const PetscScalar *ya, *upper;
-
-    PetscCall(VecGetArrayRead(y, &ya));
-    PetscCall(VecGetArrayRead(vi->upper, &upper));
-    for (PetscInt r = 0; r < vi->num_rows; r++) {
-      const PetscInt i = vi->row_dof[r] - first;
-
-      if (s->tangent && s->tangent[r]) continue;
-      if (!s->nodal.equality[r]) problem.slack[r] = vi->length * PetscRealPart(upper[i] - ya[i]);
-    }
-    PetscCall(VecRestoreArrayRead(vi->upper, &upper));
-    PetscCall(VecRestoreArrayRead(y, &ya));
+    PetscCall(MinimumNormGetSlack_Private(vi, s, y, problem.slack));
     PetscCall(MinimumNormGetMass_Private(vi, u, problem.mass, problem.work));
     PetscCall(MinimumNormSolve_Private(&cone, &problem, n, kernel, q));
     PetscCall(MinimumNormGetSlip_Private(&cone, problem.pressed, q, &s->slip));
