@@ -303,17 +303,35 @@ static PetscErrorCode SolverChoiceCountFriction_Private(VI vi, PetscInt *num)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* User errors for a choice that cannot solve friction. [in] num - unknowns of contact and friction;
+   [in] dense - whether their dense system is solved; [in] iterable - whether multigrid could solve it */
+static PetscErrorCode SolverChoiceCheckFriction_Private(MPI_Comm comm, const SolverChoice *choice, PetscInt num,
+                                                        PetscBool dense, PetscBool iterable)
+{
+  PetscFunctionBeginUser;
+  if (choice->stop) PetscCall(UserErrorRaise(comm, "-stop discretisation: not with friction; omit the option"));
+  if (dense && num > MAX_FRICTION) {
+    PetscCall(UserErrorRaise(comm,
+                             "-<pair>_friction: the sides have %" PetscInt_FMT
+                             " unknowns of contact and friction, and a factorization takes at most %d; %s",
+                             num, (int)MAX_FRICTION,
+                             iterable ? "use -pc_type " PCTRUNCATEDMG
+                                      : "refine less, or make the sides of the pairs smaller"));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Friction is solved on the Schur complement of its unknowns, or at full size by multigrid. */
 static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *choice)
 {
-  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
-  PetscBool      dense, multigrid, iterable;
-  PetscInt       num;
+  const MPI_Comm  comm     = PetscObjectComm((PetscObject)vi->b);
+  const PetscBool iterable = (PetscBool)(vi->mesh && !choice->nearly);
+  PetscBool       dense, multigrid;
+  PetscInt        num;
 
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolverChoiceCountFriction_Private(vi, &num));
-  iterable = (PetscBool)(vi->mesh && !choice->nearly);
   if (choice->own && num > DENSE_FRICTION && iterable) {
     PetscCall(PetscStrncpy(choice->ksp, KSPCG, sizeof(choice->ksp)));
     PetscCall(PetscStrncpy(choice->pc, PCTRUNCATEDMG, sizeof(choice->pc)));
@@ -334,17 +352,37 @@ static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *ch
                              " or " PCTRUNCATEDMG ", not %s, %s and %s; omit these options",
                              choice->snes, choice->ksp, choice->pc));
   }
-  if (choice->stop) PetscCall(UserErrorRaise(comm, "-stop discretisation: not with friction; omit the option"));
-  if (dense && num > MAX_FRICTION) {
-    PetscCall(UserErrorRaise(comm,
-                             "-<pair>_friction: the sides have %" PetscInt_FMT
-                             " unknowns of contact and friction, and a factorization takes at most %d; %s",
-                             num, (int)MAX_FRICTION,
-                             iterable ? "use -pc_type " PCTRUNCATEDMG
-                                      : "refine less, or make the sides of the pairs smaller"));
-  }
+  PetscCall(SolverChoiceCheckFriction_Private(comm, choice, num, dense, iterable));
   PetscCall(FrictionLawIsGiven(vi, &choice->bound));
   choice->reducible = (PetscBool)(multigrid && num <= MAX_FRICTION);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Takes -ksp_type and -pc_type in place of the default. One of the two implies the other: a factorization
+   needs no iteration, other preconditioners do. */
+static PetscErrorCode SolverChoiceTakeLinear_Private(VI vi, SolverChoice *choice)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)vi->b);
+  PetscBool      ksp, pc;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
+  PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
+  choice->own = (PetscBool)(!ksp && !pc);
+  PetscCall(KSPInitializePackage()); // with them PETSc has its types
+  PetscCall(PCInitializePackage());
+  PetscCall(SolverChoiceCheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
+  PetscCall(SolverChoiceCheckName_Private(comm, "-pc_type", choice->pc, PCList));
+  if (choice->own) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(
+      PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type", sizeof(choice->why)));
+  if (!ksp) {
+    PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
+  } else if (!pc) {
+    const char *iterative = SolverChoiceIterative_Private(vi, choice->snes, choice->ksp);
+
+    PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
+  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -354,7 +392,6 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   const Solvability solvability = solver->solvability;
   MPI_Comm          comm;
   PetscInt          size;
-  PetscBool         ksp, pc;
 
   PetscFunctionBeginUser;
   PetscCall(PetscObjectGetComm((PetscObject)vi->A, &comm));
@@ -363,26 +400,7 @@ PetscErrorCode SolverChoiceSet(Solver solver, SolverChoice *choice)
   PetscCall(PetscOptionsGetString(NULL, NULL, "-snes_type", choice->snes, sizeof(choice->snes), NULL));
   PetscCall(SolverChoiceCheckBounds_Private(comm, choice->snes));
   PetscCall(SolverChoiceChooseBySize_Private(vi, (PetscBool)(solvability != NULL), choice));
-  PetscCall(PetscOptionsGetString(NULL, NULL, "-ksp_type", choice->ksp, sizeof(choice->ksp), &ksp));
-  PetscCall(PetscOptionsGetString(NULL, NULL, "-pc_type", choice->pc, sizeof(choice->pc), &pc));
-  choice->own = (PetscBool)(!ksp && !pc);
-  PetscCall(KSPInitializePackage()); // with them PETSc has its types
-  PetscCall(PCInitializePackage());
-  PetscCall(SolverChoiceCheckName_Private(comm, "-ksp_type", choice->ksp, KSPList));
-  PetscCall(SolverChoiceCheckName_Private(comm, "-pc_type", choice->pc, PCList));
-  /* one of the two implies the other: a factorization needs no iteration, others do */
-  if (pc && !ksp) {
-    PetscCall(PetscStrncpy(choice->ksp, SolverChoiceFactors(choice->pc) ? KSPPREONLY : KSPCG, sizeof(choice->ksp)));
-  }
-  if (ksp && !pc) {
-    const char *iterative = SolverChoiceIterative_Private(vi, choice->snes, choice->ksp);
-
-    PetscCall(PetscStrncpy(choice->pc, strcmp(choice->ksp, KSPPREONLY) ? iterative : PCCHOLESKY, sizeof(choice->pc)));
-  }
-  if (ksp || pc) {
-    PetscCall(PetscStrncpy(choice->why, ksp ? (pc ? "-ksp_type and -pc_type" : "-ksp_type") : "-pc_type",
-                           sizeof(choice->why)));
-  }
+  PetscCall(SolverChoiceTakeLinear_Private(vi, choice));
   PetscCall(SolverChoiceChooseStop_Private(vi, solvability, choice));
   PetscCall(SolverChoiceChooseFriction_Private(vi, choice));
   PetscCall(VecGetSize(vi->b, &size)); // above these sizes even the ordering costs too much
