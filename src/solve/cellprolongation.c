@@ -31,6 +31,15 @@ static PetscErrorCode InsidesDestroy_Private(Insides *insides)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Unknowns of the coarse cell i, which its rows of P have. */
+static PetscInt InsidesWidth_Private(const Insides *insides, PetscInt i)
+{
+  const Level   *coarse = insides->coarse;
+  const PetscInt c      = insides->cell[i];
+
+  return coarse->dim * (coarse->cell_start[c + 1] - coarse->cell_start[c]);
+}
+
 /* Which node of a coarse cell has a global number, -1 if none. */
 static PetscInt CellFindNode_Private(const Level *coarse, PetscInt c, PetscInt global)
 {
@@ -166,17 +175,14 @@ static PetscErrorCode CellGetSystem_Private(const Insides *insides, PetscInt i, 
    caller; [out] at - where each begins [insides->num] */
 static PetscErrorCode InsidesSolve_Private(const Insides *insides, Mat K, Mat P, PetscReal **less, PetscInt at[])
 {
-  const Level   *coarse = insides->coarse;
-  const PetscInt dim    = coarse->dim;
+  const PetscInt dim  = insides->coarse->dim;
   PetscInt       room = 0, largest = 0, widest = 0, begin;
   PetscReal     *A, *b;
   Mat            matrix[2];
 
   PetscFunctionBeginUser;
   for (PetscInt i = 0; i < insides->num; i++) {
-    const PetscInt n = dim * (insides->start[i + 1] - insides->start[i]), c = insides->cell[i];
-
-    const PetscInt m = dim * (coarse->cell_start[c + 1] - coarse->cell_start[c]);
+    const PetscInt n = dim * (insides->start[i + 1] - insides->start[i]), m = InsidesWidth_Private(insides, i);
 
     at[i]   = room;
     largest = PetscMax(largest, n);
@@ -188,8 +194,7 @@ static PetscErrorCode InsidesSolve_Private(const Insides *insides, Mat K, Mat P,
   PetscCall(InsidesGetRows_Private(insides, K, P, &matrix[0], &matrix[1]));
   PetscCall(MatGetOwnershipRange(matrix[0], &begin, NULL));
   for (PetscInt i = 0; i < insides->num; i++) {
-    const PetscInt n = dim * (insides->start[i + 1] - insides->start[i]), c = insides->cell[i];
-    const PetscInt m = dim * (coarse->cell_start[c + 1] - coarse->cell_start[c]);
+    const PetscInt n = dim * (insides->start[i + 1] - insides->start[i]), m = InsidesWidth_Private(insides, i);
 
     PetscCall(PetscArrayzero(A, n * n));
     PetscCall(PetscArrayzero(b, m * n));
@@ -232,65 +237,79 @@ static PetscErrorCode CellGetRow_Private(const Level *coarse, PetscInt c, const 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* P with rows exchanged. */
+/* A row as it is. [out] num, columns, values */
+static PetscErrorCode RowCopy_Private(Mat P, PetscInt row, PetscInt *num, PetscInt columns[], PetscScalar values[])
+{
+  const PetscInt    *c;
+  const PetscScalar *v;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetRow(P, row, num, &c, &v));
+  PetscCall(PetscArraycpy(columns, c, *num));
+  PetscCall(PetscArraycpy(values, v, *num));
+  PetscCall(MatRestoreRow(P, row, NULL, &c, &v));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A matrix in place of P, of the same layout. [in] start, column, value - its rows on this rank */
+static PetscErrorCode RowsReplace_Private(PetscInt bs, const PetscInt start[], const PetscInt column[],
+                                          const PetscScalar value[], Mat *P)
+{
+  const MPI_Comm comm = PetscObjectComm((PetscObject)*P);
+  PetscInt       rows, width;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(*P, &rows, &width));
+  PetscCall(MatDestroy(P));
+  PetscCall(MatCreate(comm, P));
+  PetscCall(MatSetSizes(*P, rows, width, PETSC_DETERMINE, PETSC_DETERMINE));
+  PetscCall(MatSetBlockSize(*P, bs));
+  PetscCall(MatSetType(*P, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*P, start, column, value)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*P, start, column, value));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Exchanges the rows of nodes inside. [in] less, at - of InsidesSolve_Private() */
 static PetscErrorCode InsidesReplace_Private(const Insides *insides, const PetscReal less[], const PetscInt at[],
                                              Mat *P)
 {
-  const Level   *coarse = insides->coarse, *fine = insides->fine;
-  const PetscInt dim = fine->dim;
-  PetscInt       rows, width, begin, *start, *column, *of, num, count = 0;
+  const PetscInt dim = insides->fine->dim, num_owned = insides->fine->num_owned;
+  PetscInt       begin, count, *of, *place, *start, *column; /* of, place: cell of a node, and which of its nodes */
   PetscScalar   *value;
   MatInfo        info;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(*P, &rows, &width));
   PetscCall(MatGetOwnershipRange(*P, &begin, NULL));
   PetscCall(MatGetInfo(*P, MAT_LOCAL, &info));
   count = (PetscInt)info.nz_used;
-  PetscCall(PetscMalloc1(fine->num_owned, &of));
-  for (PetscInt i = 0; i < fine->num_owned; i++) of[i] = -1;
+  PetscCall(PetscMalloc2(num_owned, &of, num_owned, &place));
+  for (PetscInt a = 0; a < num_owned; a++) of[a] = -1;
   for (PetscInt i = 0; i < insides->num; i++) {
-    const PetscInt c = insides->cell[i];
-
-    for (PetscInt s = insides->start[i]; s < insides->start[i + 1]; s++) of[insides->node[s]] = i;
-    count +=
-        dim * dim * (insides->start[i + 1] - insides->start[i]) * (coarse->cell_start[c + 1] - coarse->cell_start[c]);
-  }
-  PetscCall(PetscMalloc3(rows + 1, &start, count, &column, count, &value));
-  start[0] = 0;
-  for (PetscInt r = 0; r < rows; r++) {
-    const PetscInt i = of[r / dim];
-
-    if (i < 0) {
-      const PetscInt    *c_old;
-      const PetscScalar *v_old;
-
-      PetscCall(MatGetRow(*P, begin + r, &num, &c_old, &v_old));
-      PetscCall(PetscArraycpy(&column[start[r]], c_old, num));
-      PetscCall(PetscArraycpy(&value[start[r]], v_old, num));
-      start[r + 1] = start[r] + num;
-      PetscCall(MatRestoreRow(*P, begin + r, &num, &c_old, &v_old));
-    } else {
-      const PetscInt c = insides->cell[i];
-      PetscInt       s = insides->start[i];
-
-      while (insides->node[s] != r / dim) s++;
-      num = dim * (coarse->cell_start[c + 1] - coarse->cell_start[c]);
-      s   = dim * (s - insides->start[i]) + r % dim;
-      PetscCall(
-          CellGetRow_Private(coarse, c, &less[at[i] + s * num], *P, begin + r, &column[start[r]], &value[start[r]]));
-      start[r + 1] = start[r] + num;
+    for (PetscInt s = insides->start[i]; s < insides->start[i + 1]; s++) {
+      of[insides->node[s]]    = i;
+      place[insides->node[s]] = s - insides->start[i];
+      count += dim * InsidesWidth_Private(insides, i);
     }
   }
-  PetscCall(MatDestroy(P));
-  PetscCall(MatCreate(fine->comm, P));
-  PetscCall(MatSetSizes(*P, rows, width, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetBlockSize(*P, dim));
-  PetscCall(MatSetType(*P, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*P, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*P, start, column, value));
+  PetscCall(PetscMalloc3(dim * num_owned + 1, &start, count, &column, count, &value));
+  start[0] = 0;
+  for (PetscInt r = 0; r < dim * num_owned; r++) {
+    const PetscInt a = r / dim, i = of[a];
+    PetscInt       num;
+
+    if (i < 0) {
+      PetscCall(RowCopy_Private(*P, begin + r, &num, &column[start[r]], &value[start[r]]));
+    } else {
+      num = InsidesWidth_Private(insides, i);
+      PetscCall(CellGetRow_Private(insides->coarse, insides->cell[i], &less[at[i] + (dim * place[a] + r % dim) * num],
+                                   *P, begin + r, &column[start[r]], &value[start[r]]));
+    }
+    start[r + 1] = start[r] + num;
+  }
+  PetscCall(RowsReplace_Private(dim, start, column, value, P));
   PetscCall(PetscFree3(start, column, value));
-  PetscCall(PetscFree(of));
+  PetscCall(PetscFree2(of, place));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
