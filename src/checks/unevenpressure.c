@@ -6,6 +6,7 @@
 #include "checks/unevenpressure.h"
 #include "base/compat.h"
 #include "contact/pairpoints.h"
+#include "contact/slidingnodes.h"
 #include "kernel/vector.h"
 #include "level/ghosted.h"
 #include "result/largest.h"
@@ -107,8 +108,8 @@ static PetscErrorCode UnevenPressureCreateSums_Private(Fields fields, PetscInt p
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether planes of symmetry cut the side where it ends, so that it goes on behind them as its mirror image.
-   Supports hold such a node along the side, in space normal to its boundary.
+/* Whether planes may cut the side where it ends, so that it goes on behind them as its mirror image. Supports
+   hold such a node along the side, in space normal to its boundary.
    [in] way - of SideCornersGetEnds() */
 static PetscBool UnevenPressureIsMirrored_Private(const Support *support, const Pair pair, PetscInt a,
                                                   const PetscScalar way[])
@@ -138,7 +139,8 @@ static PetscErrorCode UnevenPressureAround_Private(Fields fields, PetscInt p, Pe
   const Pair         pair = vi->pairs[p];
   const PetscInt     dim  = vi->level->dim;
   const PetscScalar *sum, *way;
-  PetscInt           begin, end;
+  PetscInt           begin, end, a = -1, node = -1;
+  PetscBool          slides = PETSC_FALSE; /* along a support, but the partner is not held there */
   Vec                rows, sums, ways;
 
   PetscFunctionBeginUser;
@@ -150,12 +152,16 @@ static PetscErrorCode UnevenPressureAround_Private(Fields fields, PetscInt p, Pe
   PetscCall(VecGetArrayRead(ways, &way));
   PetscCall(VecGetOwnershipRange(fields->lambda, &begin, &end));
   if (row >= begin && row < end) {
-    const PetscInt     a = vi->row_node[row - begin], node = pair->nodes[a];
+    a    = vi->row_node[row - begin];
+    node = pair->nodes[a];
+  }
+  PetscCall(SlidingNodesFind(vi->level, &vi->support, pair->M, a >= 0, &node, a >= 0 ? &pair->D[a] : NULL, &slides));
+  if (a >= 0) {
     const PetscScalar *of   = &sum[node * NUM_SUMS];
     PetscBool          edge = (PetscBool)(!(PetscRealPart(of[COVERED]) > 0) || PairSumEndsPartner(pair, a));
 
     if (!edge && SideCornersIsEnd(dim, &way[node * dim], PetscRealPart(of[NONMORTAR] / of[COVERED])))
-      edge = (PetscBool)!UnevenPressureIsMirrored_Private(&vi->support, pair, a, &way[node * dim]);
+      edge = (PetscBool)(slides || !UnevenPressureIsMirrored_Private(&vi->support, pair, a, &way[node * dim]));
     if (!edge) {
       around[0] = PetscRealPart(of[FORCE] / of[AREA]);
       around[1] = PetscRealPart(of[MORTAR] / of[NONMORTAR]);
