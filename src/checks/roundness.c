@@ -6,9 +6,9 @@
 #include "kernel/vector.h"
 #include "checks/roundness.h"
 
-/* Facets that meet at less than 30 degrees are taken for a smooth curve: each is half of that from the mean
+/* Facets that meet at less than 31 degrees are taken for a smooth curve: each is half of that from the mean
    normal. Flat is less. */
-static const PetscReal SMOOTH_ANGLE = PETSC_PI / 12, FLAT_ANGLE = 1e-4;
+static const PetscReal SMOOTH_ANGLE = 15.5 * PETSC_PI / 180, FLAT_ANGLE = 1e-4;
 /* Forces below this part of the largest one carry nothing. */
 static const PetscReal CARRIES = 1e-6;
 

@@ -26,8 +26,8 @@ static const PetscReal SAME_REFERENCE_PLACE = 1e-13;
 /* Mortar facets that are nearly as near as the nearest one, to this part of a facet of the nonmortar side,
    meet a convex edge as well. */
 static const PetscReal ALSO_NEAR = 0.1;
-/* They are of another patch if their normals differ by 45 degrees; cosine. */
-static const PetscReal OTHER_PATCH = 0.70710678118654752;
+/* They are of another patch if their normals differ by 44 degrees; cosine. */
+static const PetscReal OTHER_PATCH = 0.7193398003386512;
 /* A direction between the normals of facets is as near to their mean as one of them; roundoff of cosines. */
 static const PetscReal BETWEEN = 1e-6;
 

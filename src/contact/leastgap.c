@@ -14,9 +14,9 @@
 
 /* Mortar facets have an edge between them if their normals differ there by 2 degrees; cosine. */
 static const PetscReal SAME_PIECE = 0.99939082701909576;
-/* A direction of contact that is 15 degrees from its facet is that of a node at an edge: facets of smooth
-   sides meet at less than 30; cosine. */
-static const PetscReal OWN_DIRECTION = 0.96592582628906829;
+/* A direction of contact that is 15.5 degrees from its facet is that of a node at an edge: facets of smooth
+   sides meet at less than 31; cosine. */
+static const PetscReal OWN_DIRECTION = 0.963630453208623;
 
 /* The unit normal of a mortar facet at one of its nodes: that of its curve. [out] n - [dim] */
 static void LeastGapGetNormal_Private(const MortarSurface *mortar, PetscInt dim, PetscInt f, PetscInt i, PetscReal n[])

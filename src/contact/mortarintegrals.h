@@ -29,7 +29,7 @@ PetscErrorCode NodalNormalsShare(Level *level, Vec normals);
    nothing happens. Collective. [in,out] normals - ghosted */
 PetscErrorCode NodalNormalsConform(Level *level, Vec normals);
 
-/* Where facets meet at more than 45 degrees, takes the node's normal from those that face the other side.
+/* Where facets meet at more than 44 degrees, takes the node's normal from those that face the other side.
    Collective.
    [in] sees - whether each facet does [facets->num]; [in,out] normals - ghosted, as created; [out] changed -
    whether there is such a node */

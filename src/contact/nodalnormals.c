@@ -8,8 +8,8 @@
 #include "contact/mortarintegrals.h"
 #include "level/ghosted.h"
 
-/* Facets of a smooth side deviate from the normal at their node by less than half of 45 degrees. */
-static const PetscReal SMOOTH_NORMAL = 0.92387953251128674;
+/* Facets of a smooth side deviate from the normal at their node by less than half of 44 degrees. */
+static const PetscReal SMOOTH_NORMAL = 0.9271838545667874;
 
 PetscErrorCode NodalNormalsShare(Level *level, Vec normals)
 {

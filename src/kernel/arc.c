@@ -13,8 +13,9 @@
 
 /* Edges that turn by less between their ends are straight: roundoff of normals. */
 static const PetscReal STRAIGHT_ARC = 1e-11;
-/* Edges that turn by 30 degrees and more are those of polygons: |n0 + n1| is 2 cos 15 degrees there. */
-static const PetscReal SMOOTH_ARC = 1.9318516525781366;
+/* Edges that turn by 31 degrees and more are those of polygons: |n0 + n1| is 2 cos 15.5 degrees there. Twelve
+   edges of a circle have 30 degrees: a curve, whatever their rounding. */
+static const PetscReal SMOOTH_ARC = 1.927260906417246;
 
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],
                PetscBool smooth, PetscReal offset[])

@@ -7,7 +7,7 @@
 /* Offset from the middle of a chord to the middle of the curve with these unit normals at the ends, across
    the chord. Exact on circles, spheres and cylinders along any direction. Exactly zero where the edge is
    straight at one end: a flat side that ends in a fillet, or at another flat one, stays flat. Also zero where
-   it bends both ways, or turns by 30 degrees and more. Not collective.
+   it bends both ways, or turns by 31 degrees and more. Not collective.
    [in] x0, n0, x1, n1 - [dim]; [in] smooth - whether the surface around both ends is smooth: it may bend both
    ways; [out] offset - [dim] */
 void ArcOffset(PetscInt dim, const PetscReal x0[], const PetscReal n0[], const PetscReal x1[], const PetscReal n1[],

@@ -85,7 +85,7 @@ static const OptionEntry table[] = {
     {GROUP_MESH, "-<body>_dm_refine", "n", "", "0",
      "Number of refinements of this body alone, before those of -dm_refine."},
     {GROUP_MESH, "-<body>_polygonal", "0|1", "", "0",
-     "Keeps the polygons of straight edges in contact. By default, facets that meet at less than 30 degrees are one "
+     "Keeps the polygons of straight edges in contact. By default, facets that meet at less than 31 degrees are one "
      "smooth side. Its gaps are those of the curves that nodal normals define. Refinement of a mesh file puts new "
      "nodes on these curves; of second order, where its middle nodes are on them."},
     {GROUP_MESH, "-<body>_order", "1|2", "", "(-order)", "Polynomial order of this body."},

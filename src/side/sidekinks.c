@@ -1,4 +1,4 @@
-/* sidekinks.c -- edges where two surfaces of a part meet at less than 45 degrees (eq. 4.1a).
+/* sidekinks.c -- edges where two surfaces of a part meet at less than 44 degrees (eq. 4.1a).
 
    A mean normal there is tilted to both surfaces. Arcs from it would rise above the facets on both sides, by
    more than the overlap of a fit. A fillet looks alike: its first facets leave the quadric at an angle, too.

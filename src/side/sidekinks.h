@@ -1,4 +1,4 @@
-/* sidekinks.h -- edges where two surfaces of a part meet at less than 45 degrees. Private. */
+/* sidekinks.h -- edges where two surfaces of a part meet at less than 44 degrees. Private. */
 #ifndef MORTISE_SIDEKINKS_H
 #define MORTISE_SIDEKINKS_H
 

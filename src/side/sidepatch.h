@@ -15,9 +15,9 @@ typedef struct {
   const PetscReal  *share;  /* of a full turn, that the patch fills around a node [num][F] */
 } SmoothSide;
 
-/* Facets of one patch meet at less than 45 degrees, and so deviate from their mean normal by at most half of
-   that. */
-static const PetscReal SMOOTH_SIDE = 0.70710678118654752, SURELY_SMOOTH = 0.92387953251128674;
+/* Facets of one patch meet at less than 44 degrees, and so deviate from their mean normal by at most half of
+   that. Chamfers, and fillets of two facets, have 45 degrees: edges, whatever their rounding. */
+static const PetscReal SMOOTH_SIDE = 0.7193398003386512, SURELY_SMOOTH = 0.9271838545667874;
 /* Share of a full turn that the facets of a patch fill around an inner node. An end of a line fills half, a
    corner less than a third. */
 static const PetscReal INNER_TURN = 0.8;

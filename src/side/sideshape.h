@@ -1,6 +1,6 @@
 /* sideshape.h -- normals and curvatures of a side, from its facets (eqs. 4.1, 4.3).
 
-   Facets that meet at less than 45 degrees belong to one smooth patch. Normals and curvatures are those of a
+   Facets that meet at less than 44 degrees belong to one smooth patch. Normals and curvatures are those of a
    patch: a facet at a feature edge has the normals of its own side of the edge. */
 #ifndef MORTISE_SIDESHAPE_H
 #define MORTISE_SIDESHAPE_H

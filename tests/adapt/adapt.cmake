@@ -25,6 +25,7 @@ mortise_scene_test(jittered_rings SCENE rings3d CHECK jittered_rings.py OWN_RUNS
 mortise_scene_test(jittered_torus SCENE rings3d CHECK jittered_torus.py OWN_RUNS RANKS 1 LONG_RANKS 3)
 mortise_scene_test(jittered_cones SCENE rings3d CHECK jittered_cones.py OWN_RUNS RANKS 1 LONG_RANKS 3)
 mortise_scene_test(jittered_chamfer SCENE rings3d CHECK jittered_chamfer.py OWN_RUNS RANKS 1)
+mortise_scene_test(jittered_fillet SCENE rings3d CHECK jittered_fillet.py OWN_RUNS RANKS 1 LONG_RANKS 3)
 mortise_scene_test(kept_fit SCENE fit3d CHECK fit3d.py RANKS 1 LABELS sanitize ARGS -adapt 0.17 -adapt_cells kept)
 mortise_scene_test(kept_tight_solid SCENE shells3d CHECK tight3d.py RANKS 1 ARGS -outer_poisson 0.4999 -inner_poisson 0.4999 -adapt 1.5e-2 -adapt_cells kept)
 mortise_scene_test(kept_solid_ranks SCENE shells3d CHECK ranks.py RANKS 3 ARGS -order 1 -adapt 0.13 -adapt_cells kept)
