@@ -8,6 +8,8 @@
 #include "base/compat.h"
 #include "base/json.h"
 #include "checks/gapdiscontinuity.h"
+#include "checks/slip.h"
+#include "kernel/vector.h"
 #include "result/largest.h"
 
 /* Such an overlap is reported above this part of the largest displacement along the normals. */
@@ -26,8 +28,9 @@ static PetscReal GapDiscontinuityGetRow_Private(Fields fields, PetscInt p, Petsc
   return PetscMax(-pair->gap[a] / pair->share[a] - pair->overlap[a], 0);
 }
 
-/* Of this rank, [out] largest - displacement of the pair's nodes along their normals, [out] size - number
-   that a gap is made of. */
+/* Of this rank, [out] largest - displacement of the pair's nodes along their normals, or half of how both
+   sides approach: a stiff nonmortar side hardly moves; [out] size - number that a gap is made of.
+   Collective. */
 static PetscErrorCode GapDiscontinuityGetSizes_Private(Fields fields, PetscInt p, PetscReal *largest, PetscReal *size)
 {
   const Pair           pair     = fields->vi->pairs[p];
@@ -35,8 +38,11 @@ static PetscErrorCode GapDiscontinuityGetSizes_Private(Fields fields, PetscInt p
   const Level         *level    = fields->vi->level;
   const PetscInt       dim      = level->dim;
   const PetscScalar   *u;
+  PetscReal           *relative;
 
   PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(pair->num * dim, &relative));
+  PetscCall(SlipComputeRelative(fields, p, relative));
   *largest = 0;
   *size    = PetscAbsReal(obstacle->radius);
   for (PetscInt k = 0; k < dim; k++) *size = PetscMax(*size, PetscAbsReal(obstacle->point[k]));
@@ -46,10 +52,12 @@ static PetscErrorCode GapDiscontinuityGetSizes_Private(Fields fields, PetscInt p
 
     for (PetscInt k = 0; k < dim; k++) un += PetscRealPart(u[pair->nodes[a] * dim + k]) * pair->normal[a * dim + k];
     *largest = PetscMax(*largest, PetscAbsReal(un));
+    *largest = PetscMax(*largest, PetscAbsReal(VectorDot(dim, &relative[a * dim], &pair->normal[a * dim])) / 2);
     *size    = PetscMax(*size, PetscAbsReal(pair->gap[a]));
     for (PetscInt k = 0; k < dim; k++) *size = PetscMax(*size, PetscAbsReal(level->coords[pair->nodes[a] * dim + k]));
   }
   PetscCall(VecRestoreArrayRead(fields->u, &u));
+  PetscCall(PetscFree(relative));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
