@@ -8,6 +8,7 @@
 #include "multigrid/patchsmoother.h"
 #include "multigrid/region.h"
 #include "multigrid/smoother.h"
+#include "multigrid/wavesolve.h"
 
 /* Unknowns from which the coarsest mesh gets levels below it instead of a factorization, in 2D and 3D;
    unknowns of the coarsest level. */
@@ -76,6 +77,7 @@ static PetscErrorCode HierarchyBeginLevel_Private(HierarchyInput *input, PetscIn
     level->largest = level[-1].largest;
   else
     PetscCall(EigenvalueLargest(A, level->S, NULL, &level->largest));
+  if (level->op.waves) PetscCall(WaveSolveCreate(&level->op, &level->wave_solve));
   if (!level->S) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SmootherScale(level->S, level->largest)); // S >= A, also after the same change of both
   level->largest = 1;
@@ -168,6 +170,7 @@ static PetscErrorCode HierarchyLevelDestroy_Private(HierarchyLevel *level)
   PetscCall(VecDestroy(&level->diag));
   PetscCall(MatDestroy(&level->S));
   PetscCall(VecDestroy(&level->region));
+  PetscCall(PCDestroy(&level->wave_solve));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -178,6 +181,7 @@ static PetscErrorCode HierarchyRenewLevel_Private(HierarchyInput *input, Hierarc
   PetscFunctionBeginUser;
   PetscCall(VecDestroy(&level->diag));
   PetscCall(MatDestroy(&level->S));
+  PetscCall(PCDestroy(&level->wave_solve));
   PetscCall(HierarchyBeginLevel_Private(input, 0, PETSC_FALSE, level));
   if (level->S) PetscCall(VecDestroy(&level->region));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -19,7 +19,8 @@ typedef struct {
   PetscReal share;   /* entries of A over those of the finest: the cost of a product */
   Vec       region;  /* not 0 at nodes that are smoothed: with op.halvings those whose shape functions the next coarser
                         level has not; NULL for all */
-  PetscReal part;    /* of the entries of A that op.S reads; 1, unless it is restricted to the region */
+  PC        wave_solve; /* with waves' A waves of op.waves; NULL without */
+  PetscReal part;       /* of the entries of A that op.S reads; 1, unless it is restricted to the region */
 } HierarchyLevel;
 
 typedef struct _n_Hierarchy {

@@ -119,7 +119,7 @@ static PetscErrorCode Interpolate_MGLevel(Mat P, Vec x, Vec y)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* z = y + M P x. PETSc would keep a vector for M P x. */
+/* z = y + M (P x + Q v), v of the last restriction. PETSc would keep a vector for M P x. */
 static PetscErrorCode InterpolateAdd_MGLevel(Mat P, Vec x, Vec y, Vec z)
 {
   MGLevel           *level;
@@ -133,6 +133,7 @@ static PetscErrorCode InterpolateAdd_MGLevel(Mat P, Vec x, Vec y, Vec z)
   for (PetscInt i = 0; i < level->num; i++) fixed[i] = ya[level->fixed[i]];
   PetscCall(VecRestoreArrayRead(y, &ya));
   PetscCall(MatMultAdd(level->base->P, x, y, z));
+  if (level->wave) PetscCall(MatMultAdd(level->base->op.waves, level->wave, z, z));
   PetscCall(VecGetArray(z, &za));
   for (PetscInt i = 0; i < level->num; i++) za[level->fixed[i]] = fixed[i];
   PetscCall(VecRestoreArray(z, &za));
@@ -140,7 +141,7 @@ static PetscErrorCode InterpolateAdd_MGLevel(Mat P, Vec x, Vec y, Vec z)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* x = P'y for y that is 0 where fixed, as residuals of A^ are */
+/* x = P'y for y that is 0 where fixed, as residuals of A^ are; v = (Q'A Q)^-1 Q'y with the waves Q */
 static PetscErrorCode Restrict_MGLevel(Mat P, Vec y, Vec x)
 {
   MGLevel *level;
@@ -148,6 +149,9 @@ static PetscErrorCode Restrict_MGLevel(Mat P, Vec y, Vec x)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(P, &level));
   PetscCall(MatMultTranspose(level->base->P, y, x));
+  if (!level->wave) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatMultTranspose(level->base->op.waves, y, level->wave_force));
+  PetscCall(PCApply(level->base->wave_solve, level->wave_force, level->wave));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -399,6 +403,9 @@ PetscErrorCode MGLevelCreate(Hierarchy hierarchy, PetscInt l, MGLevel *level)
   PetscCall(VecSet(level->free, 1));
   PetscCall(SmootherSetFixed(&level->base->op, level->base->S, NULL, 0, NULL, &level->S));
   if (l) PetscCall(MGLevelCreateShells_Private(level));
+  if (!level->base->wave_solve) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatCreateVecs(level->base->op.waves, &level->wave, NULL));
+  PetscCall(VecDuplicate(level->wave, &level->wave_force));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -409,6 +416,8 @@ PetscErrorCode MGLevelDestroy(MGLevel *level)
   PetscCall(MatDestroy(&level->A));
   PetscCall(MatDestroy(&level->P));
   PetscCall(MatDestroy(&level->S));
+  PetscCall(VecDestroy(&level->wave));
+  PetscCall(VecDestroy(&level->wave_force));
   PetscCall(VecDestroy(&level->diag));
   PetscCall(VecDestroy(&level->free));
   PetscCall(PetscFree(level->fixed));

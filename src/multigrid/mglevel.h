@@ -13,13 +13,14 @@ typedef struct {
   Vec             W;         /* on the diagonal of A, or NULL; borrowed */
   PetscBool       ready;     /* whether MGLevelSetFree() was called */
   PetscInt        num;       /* fixed unknowns of this rank */
-  PetscInt        num_truncated; /* of these, not fixed by the operator */
-  PetscInt       *fixed;         /* counted from this rank's first [num] */
-  Vec             diag;          /* of A + change, of A where fixed */
-  Mat             A;             /* A^, a shell; on the coarsest level a matrix */
-  Mat             P;             /* M P, a shell */
-  Mat             S;             /* the smoother's, or NULL */
-  PetscReal       largest;       /* upper bound on the eigenvalues of S^-1 A^ */
+  PetscInt        num_truncated;    /* of these, not fixed by the operator */
+  PetscInt       *fixed;            /* counted from this rank's first [num] */
+  Vec             diag;             /* of A + change, of A where fixed */
+  Vec             wave, wave_force; /* v and Q'r of waves (eq. 13.9), or NULL */
+  Mat             A;                /* A^, a shell; on the coarsest level a matrix */
+  Mat             P;                /* M P, a shell */
+  Mat             S;                /* the smoother's, or NULL */
+  PetscReal       largest;          /* upper bound on the eigenvalues of S^-1 A^ */
 } MGLevel;
 
 /* [in] hierarchy - borrowed; [in] l - level. Collective. */

@@ -34,6 +34,11 @@ static const PetscReal SMOOTHED_FROM = 0.07;
    steps from 0.1, 26 with these, 17 with eight from 0.01. */
 enum { SMOOTHING_STEPS_CELLS = 5 };
 static const PetscReal SMOOTHED_FROM_CELLS = 0.02;
+/* The same over stars of cells of order 2 whose change of volume counts at every point. Few displacements of
+   a star keep it. Two plates of 64 x 64 cells cut into triangles, nu = 0.49: 31 iterations with three steps
+   from 0.07, 20 with five from 0.02, 14 with these, in 0.9 of the seconds. */
+enum { SMOOTHING_STEPS_POINTWISE = 8 };
+static const PetscReal SMOOTHED_FROM_POINTWISE = 0.01;
 /* The same on levels of bisected cells, where edges are halved once, and more often. One step more on each
    coarser level gains nothing there. */
 enum { SMOOTHING_STEPS_HALVED = 3, SMOOTHING_STEPS_QUARTERED = 6 };
@@ -73,14 +78,17 @@ static PetscErrorCode MultigridGet_Private(PC pc, Multigrid **multigrid)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a level is smoothed over cells. */
-static PetscErrorCode MultigridHasCells_Private(const MGLevel *level, PetscBool *cells)
+/* Whether a level is smoothed over cells. [out] stars - or over stars where changes of volume count at every
+   point, not beside bisected cells */
+static PetscErrorCode MultigridHasCells_Private(const MGLevel *level, PetscBool *cells, PetscBool *stars)
 {
-  PetscBool patches;
+  const Operator *op      = &level->base->op;
+  PetscBool       patches = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   *cells = PETSC_FALSE;
   if (level->S) PetscCall(PatchSmootherIs(level->S, &patches, cells));
+  *stars = (PetscBool)(patches && !*cells && op->pointwise && !op->halvings);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -95,12 +103,13 @@ static PetscBool MultigridIsAboveNodes_Private(const MGLevel *level)
 /* The lower end of the smoothed spectrum of a level relative to its upper end. */
 static PetscErrorCode MultigridGetLowerEnd_Private(const MGLevel *level, PetscReal *from)
 {
-  PetscBool cells;
+  PetscBool cells, stars;
 
   PetscFunctionBeginUser;
-  PetscCall(MultigridHasCells_Private(level, &cells));
+  PetscCall(MultigridHasCells_Private(level, &cells, &stars));
   *from = level->base->op.halvings > 1 ? SMOOTHED_FROM_QUARTERED : SMOOTHED_FROM;
   if (MultigridIsAboveNodes_Private(level)) *from = SMOOTHED_FROM_ABOVE_NODES;
+  if (stars) *from = SMOOTHED_FROM_POINTWISE;
   if (cells) *from = SMOOTHED_FROM_CELLS;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -110,16 +119,17 @@ static PetscErrorCode MultigridGetSteps_Private(const Multigrid *multigrid, Pets
 {
   const MGLevel *level = &multigrid->level[l];
   PetscInt       top   = multigrid->num - 1;
-  PetscBool      cells;
+  PetscBool      cells, stars;
 
   PetscFunctionBeginUser;
-  PetscCall(MultigridHasCells_Private(level, &cells));
+  PetscCall(MultigridHasCells_Private(level, &cells, &stars));
   while (!cells && top > l && multigrid->level[top].base->op.halvings) top--;
   if (level->base->op.halvings && !cells)
     *steps = level->base->op.halvings > 1 ? SMOOTHING_STEPS_QUARTERED : SMOOTHING_STEPS_HALVED;
   else
     *steps = (cells ? SMOOTHING_STEPS_CELLS : SMOOTHING_STEPS) + PetscMax(top - 1 - l, 0);
   if (!cells && MultigridIsAboveNodes_Private(level)) *steps = SMOOTHING_STEPS_ABOVE_NODES;
+  if (stars) *steps = SMOOTHING_STEPS_POINTWISE + PetscMax(top - 1 - l, 0);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -16,17 +16,20 @@ typedef struct {
   Mat       K;        /* in blocks of dim: stiffness in displacements u = T y; rows, products, MatConvert() */
   Vec       diagonal; /* of K */
   PetscReal stiffness;
-  Mat       S;                            /* products with K / stiffness, of a cycle: single precision will do */
-  Mat       T;                            /* NULL for the identity */
-  Mat       inverse;                      /* of T; NULL with T, and after HierarchyCreate() */
-  Mat       Z;                            /* (T'K T - K) / stiffness, few entries; NULL with T */
-  Mat       cycle_Z;                      /* the same for MatMultAdd() of a cycle, like S */
+  Mat       S;       /* products with K / stiffness, of a cycle: single precision will do */
+  Mat       T;       /* NULL for the identity */
+  Mat       inverse; /* of T; NULL with T, and after HierarchyCreate() */
+  Mat       Z;       /* (T'K T - K) / stiffness, few entries; NULL with T */
+  Mat       cycle_Z; /* the same for MatMultAdd() of a cycle, like S */
+  Mat       waves;   /* y of waves: a second coarse space of a level with cells of order 1 (eq. 13.9); or NULL */
   PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */
   PetscInt num_constrained, *constrained; /* unknowns that are combinations of displacements; owned [num_constrained] */
-  PetscBool       *tight; /* nodes of cells that nearly keep their volume; NULL without; owned [nodes of this rank] */
-  PetscBool        slips; /* whether friction changes A, and not active unknowns alone */
-  PetscInt         dim;   /* unknowns of a node, and coordinates */
-  PetscInt         halvings; /* of an edge from the next coarser level at most, where cells are bisected; else 0 */
+  PetscBool       *tight;   /* nodes of cells that nearly keep their volume; NULL without; owned [nodes of this rank] */
+  PetscReal        poisson; /* largest Poisson's ratio of such cells; 0 without */
+  PetscBool        pointwise; /* whether the energy of some of them has their change of volume at every point */
+  PetscBool        slips;     /* whether friction changes A, and not active unknowns alone */
+  PetscInt         dim;       /* unknowns of a node, and coordinates */
+  PetscInt         halvings;  /* of an edge from the next coarser level at most, where cells are bisected; else 0 */
   const PetscReal *coords; /* of this rank's nodes, then others'; borrowed [num][dim]; NULL on a level made of nodes */
 } Operator;
 

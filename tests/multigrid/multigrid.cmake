@@ -74,6 +74,11 @@ mortise_scene_test(long_cells OWN_RUNS SCENE hertz3d CHECK long_cells.py LABELS 
 mortise_scene_test(long_tetrahedra OWN_RUNS SCENE hertz3d CHECK long_tetrahedra.py)
 mortise_scene_test(tight LONG OWN_RUNS   SCENE two_plates CHECK tight.py LABELS mpi ARGS -order 2 -pc_type truncatedmg -dm_refine 1
   -upper_dm_plex_box_faces 16,16 -lower_dm_plex_box_faces 12,12)
+set(tight_coarse ${plane_coarse} -pc_type truncatedmg -ksp_type cg)
+mortise_scene_test(waves OWN_RUNS        SCENE two_plates CHECK waves.py LABELS mpi ARGS ${tight_coarse} -dm_refine 2 -upper_poisson 0.4999
+  -lower_poisson 0.4999)
+mortise_scene_test(pointwise OWN_RUNS    SCENE two_plates CHECK pointwise.py ARGS ${tight_coarse} -order 2 -upper_poisson 0.49 -lower_poisson 0.49
+  -upper_dm_plex_simplex 1 -lower_dm_plex_simplex 1)
 mortise_scene_test(growth       SCENE two_plates CHECK growth.py ARGS -upper_dm_plex_box_faces 8,8 -lower_dm_plex_box_faces 6,6)
 mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
 mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)
