@@ -219,6 +219,20 @@ static PetscErrorCode FrictionReducedGrow_Private(FrictionMethod method, const P
   return FrictionSystemGrow(&t->problem, v, w);
 }
 
+static PetscErrorCode FrictionReducedGrowTransposed_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
+{
+  Reduced *t = method->data;
+
+  return FrictionSystemGrowTransposed(&t->problem, v, w);
+}
+
+static PetscErrorCode FrictionReducedPrepare_Private(FrictionMethod method)
+{
+  Reduced *t = method->data;
+
+  return FrictionSystemFactorGiven(&t->problem);
+}
+
 /* Marks closed and sticking unknowns, and counts them. Collective. */
 static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
 {
@@ -239,6 +253,8 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     PetscCall(FrictionSystemFactorGiven(&t->problem));
     PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, NULL, 0, PETSC_MAX_REAL, report));
     report->coarser = PETSC_FALSE;
+    PetscCall(FrictionCoupling(method, FrictionReducedPrepare_Private, FrictionReducedGrow_Private,
+                               FrictionReducedGrowTransposed_Private, report));
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));
   for (PetscInt i = 0; i < pdas->set.n; i++) pdas->set.active[i] = (PetscBool)(own[i] > 0);

@@ -107,6 +107,16 @@ PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionRep
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASSetFrictionCoupling(SNES snes, PetscBool needed)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->coupling_needed = needed;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PDASGetFriction(SNES snes, FrictionReport *report)
 {
   PDAS *pdas;

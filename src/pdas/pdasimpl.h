@@ -192,8 +192,9 @@ typedef struct {
   /* friction, */
   const FrictionLaw *law; /* borrowed, or NULL */
   FrictionReport     friction_report;
-  FrictionReport     coarser;       /* of PDASSetFrictionRho(), no nodes for none */
-  PetscBool          rho_skipped;   /* rho is not wanted */
+  FrictionReport     coarser;     /* of PDASSetFrictionRho(), no nodes for none */
+  PetscBool          rho_skipped; /* rho is not wanted */
+  PetscBool          coupling_needed;
   PetscReal          friction_rtol; /* of PDASSetFrictionTolerance() */
   PetscBool          fixed_point;   /* over Tresca problems, instead of Newton's method */
   /* and what is kept for the next solve, if matrix and bounds stay the same */

@@ -9,7 +9,11 @@
        phi.q  >  sum p n.q + sum (bound + mu p) |s(q)|,
 
    the loads do more work on it than contact can take. The state goes on for ever, and friction is already at
-   its limit in it (eq. 16.8a). */
+   its limit in it (eq. 16.8a).
+
+   Another state may have larger pressures, since friction changes them. The coupling bounds that. A force of
+   friction changes the limits of others by at most this part of it, all together. Nodes that do not slip
+   could change theirs at no cost, so all nodes must slip (eq. 16.8b). */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
@@ -20,6 +24,9 @@
 static const PetscReal NOT_RIGID = 1e-3;
 /* Gaps that close by less than this part of the slip stay as they are. */
 static const PetscReal CLOSES_NOT = 1e-6;
+/* The coupling must be smaller, times the largest slip over the least one. It is an estimate from below, of
+   systems that are solved to a per cent: DOUBT times it counts. */
+static const PetscReal WEAK_COUPLING = 0.5, DOUBT = 1.1;
 /* Least difference of both works, as a part of what contact takes: the proximal term presses, too. */
 static const PetscReal SURPLUS_STEADY = 1e-3;
 /* Eigenvalues below this part of the largest are roundoff. */
@@ -68,17 +75,23 @@ static PetscErrorCode SteadySlidingSetMotion_Private(Solvability s, Vec step, Pe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* What a motion does to contacts, and the work that they can take. Collective.
-   [in] r - of contact, dimensionless; [out] most - {work, fastest slip, fastest closing} */
+/* What a motion does to contacts. */
+typedef struct {
+  PetscReal work;             /* that they can take */
+  PetscReal fastest, slowest; /* slip of nodes with friction */
+  PetscReal closing;          /* the fastest one */
+  PetscBool space;            /* slip has two directions */
+} SteadySliding;
+
+/* Collective. [in] r - of contact, dimensionless */
 static PetscErrorCode SteadySlidingMeasure_Private(VI vi, const struct _n_Solvability *s, const PetscScalar r[],
-                                                   const PetscReal q[], PetscReal most[3])
+                                                   const PetscReal q[], SteadySliding *sliding)
 {
   const FrictionLaw *law   = vi->friction;
   const PetscInt     first = vi->level->dim * vi->level->node_begin, m = s->m;
-  PetscReal          work = 0;
+  SteadySliding      own = {.slowest = PETSC_MAX_REAL};
 
   PetscFunctionBeginUser;
-  most[1] = most[2] = 0;
   for (PetscInt row = 0; row < vi->num_rows; row++) {
     const PetscInt  a       = s->tangent[row] ? -1 : FrictionLawFind(law, vi->row_dof[row]);
     const PetscInt  num     = a < 0 ? 0 : law->tangent[FRICTION_TANGENTS * a + 1] < 0 ? 1 : 2;
@@ -87,37 +100,62 @@ static PetscErrorCode SteadySlidingMeasure_Private(VI vi, const struct _n_Solvab
     PetscReal       slip[FRICTION_TANGENTS], size;
 
     if (s->tangent[row]) continue;
-    most[2] = PetscMax(most[2], s->nodal.equality[row] || pressed > 0 ? PetscAbsReal(closing) : closing);
-    if (!s->nodal.equality[row]) work += pressed * closing;
+    own.closing = PetscMax(own.closing, s->nodal.equality[row] || pressed > 0 ? PetscAbsReal(closing) : closing);
+    if (!s->nodal.equality[row]) own.work += pressed * closing;
+    if (!num) continue;
     for (PetscInt t = 0; t < num; t++) slip[t] = VectorDot(m, &s->slide[(row + 1 + t) * m], q);
-    size    = VectorNorm(num, slip);
-    most[1] = PetscMax(most[1], size);
-    if (num) work += (law->bound[a] + law->coefficient[a] * pressed) * size;
+    size        = VectorNorm(num, slip);
+    own.fastest = PetscMax(own.fastest, size);
+    own.slowest = PetscMin(own.slowest, size);
+    own.space   = (PetscBool)(own.space || num > 1);
+    own.work += (law->bound[a] + law->coefficient[a] * pressed) * size;
   }
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &most[1], 2, MPIU_REAL, MPI_MAX, vi->level->comm));
-  most[0] = work * vi->stiffness * vi->length;
+  own.work *= vi->stiffness * vi->length;
+  PetscCallMPI(MPI_Allreduce(&own.work, &sliding->work, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(&own.fastest, &sliding->fastest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(&own.slowest, &sliding->slowest, 1, MPIU_REAL, MPI_MIN, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(&own.closing, &sliding->closing, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(&own.space, &sliding->space, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The part by which the loads must do more work than contact takes, so that no other state takes more (eq.
+   16.8b). Returns infinity if there may be one. */
+static PetscReal SteadySlidingSurplus_Private(const SteadySliding *sliding, PetscReal coupling)
+{
+  const PetscReal weighted = DOUBT * coupling * sliding->fastest;
+  PetscReal       across;
+
+  if (coupling == 0) return SURPLUS_STEADY;
+  if (!(weighted < WEAK_COUPLING * sliding->slowest)) return PETSC_INFINITY;
+  if (!sliding->space) return SURPLUS_STEADY;
+  across = PetscSqr(weighted / (sliding->slowest - weighted / WEAK_COUPLING)) / 2;
+  return across < WEAK_COUPLING ? SURPLUS_STEADY + across / (1 - across / WEAK_COUPLING) : PETSC_INFINITY;
 }
 
 /* Whether the loads do more work on a motion than contact can take, and it closes no gap. Collective. */
-static PetscErrorCode SteadySlidingTest_Private(VI vi, Solvability s, Vec forces, const PetscReal q[], PetscBool *goes)
+static PetscErrorCode SteadySlidingTest_Private(VI vi, Solvability s, PetscReal coupling, Vec forces,
+                                                const PetscReal q[], PetscBool *goes)
 {
   const PetscReal    work = VectorDot(s->m, s->work, q);
   const PetscScalar *r;
-  PetscReal          most[3];
+  PetscReal          surplus;
+  SteadySliding      sliding;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(forces, &r));
-  PetscCall(SteadySlidingMeasure_Private(vi, s, r, q, most));
+  PetscCall(SteadySlidingMeasure_Private(vi, s, r, q, &sliding));
   PetscCall(VecRestoreArrayRead(forces, &r));
-  PetscCall(PetscInfo(forces, "bodies slide: the loads do %g of work, contact takes %g; slip %g, closing %g\n",
-                      (double)work, (double)most[0], (double)most[1], (double)most[2]));
-  *goes = (PetscBool)(most[2] <= CLOSES_NOT * most[1] && work > (1 + SURPLUS_STEADY) * most[0]);
+  surplus = SteadySlidingSurplus_Private(&sliding, coupling);
+  PetscCall(PetscInfo(
+      forces, "bodies slide: the loads do %g of work, contact takes %g; slip %g to %g, closing %g, coupling %g\n",
+      (double)work, (double)sliding.work, (double)sliding.slowest, (double)sliding.fastest, (double)sliding.closing,
+      (double)coupling));
+  *goes = (PetscBool)(sliding.closing <= CLOSES_NOT * sliding.fastest && work > (1 + surplus) * sliding.work);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolvabilityTestSliding(VI vi, Solvability s, Vec forces, Vec step)
+PetscErrorCode SolvabilityTestSliding(VI vi, Solvability s, PetscReal coupling, Vec forces, Vec step)
 {
   PetscReal *q, *straight;
   PetscBool *take, goes;
@@ -125,13 +163,13 @@ PetscErrorCode SolvabilityTestSliding(VI vi, Solvability s, Vec forces, Vec step
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(s->m, &q, s->m, &straight, s->m, &take));
   PetscCall(SteadySlidingSetMotion_Private(s, step, q, &goes));
-  if (goes) PetscCall(SteadySlidingTest_Private(vi, s, forces, q, &goes));
+  if (goes) PetscCall(SteadySlidingTest_Private(vi, s, coupling, forces, q, &goes));
   if (goes) { // without rotations if possible
     PetscBool simple;
 
     SolvabilityMarkStraight(vi, take);
     for (PetscInt k = 0; k < s->m; k++) straight[k] = take[k] ? q[k] : 0;
-    PetscCall(SteadySlidingTest_Private(vi, s, forces, straight, &simple));
+    PetscCall(SteadySlidingTest_Private(vi, s, coupling, forces, straight, &simple));
     PetscCall(SceneMotionDestroy(&s->motion));
     PetscCall(SceneMotionCreate(vi, s, simple ? straight : q, &s->motion));
     s->status = SOLVABLE_NOT;

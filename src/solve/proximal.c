@@ -128,7 +128,9 @@ PetscErrorCode ProximalSetStart(Proximal *proximal, Vec guess, SNES snes, PetscB
   PetscCall(ProximalSetTolerance_Private(snes, &proximal->tolerance));
   if (guess) PetscCall(ProximalSetCenter_Private(proximal, guess));
   if (pdas && !guess) PetscCall(PDASSetStart(snes, s->start));
-  if (pdas && proximal->solved.vi->friction) PetscCall(ProximalLoosen_Private(proximal, snes, FIRST_LOOSE));
+  if (!pdas || !proximal->solved.vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASSetFrictionCoupling(snes, PETSC_FALSE));
+  PetscCall(ProximalLoosen_Private(proximal, snes, FIRST_LOOSE));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -198,6 +200,8 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
     PetscCall(PDASSetKeep(snes, PETSC_FALSE));
     PetscCall(PDASSetKeep(snes, PETSC_TRUE));
   }
+  if (pdas && proximal->solved.vi->friction && proximal->num_reductions == MAX_REDUCTIONS)
+    PetscCall(PDASSetFrictionCoupling(snes, PETSC_TRUE)); // of states that may slide on
   PetscCall(PetscInfo(snes, "the proximal term is scaled by %g\n", (double)WEIGHT_REDUCTION));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -269,7 +273,7 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ProximalTestSliding(const Proximal *proximal, Vec y)
+PetscErrorCode ProximalTestSliding(const Proximal *proximal, PetscReal coupling, Vec y)
 {
   Vec forces, step;
 
@@ -279,7 +283,7 @@ PetscErrorCode ProximalTestSliding(const Proximal *proximal, Vec y)
   PetscCall(MatMult(proximal->solved.A, y, forces));
   PetscCall(VecAYPX(forces, -1, proximal->solved.b)); // without the proximal term
   PetscCall(VecWAXPY(step, -1, proximal->rest, y));
-  PetscCall(SolvabilityTestSliding(proximal->solved.vi, proximal->solvability, forces, step));
+  PetscCall(SolvabilityTestSliding(proximal->solved.vi, proximal->solvability, coupling, forces, step));
   PetscCall(VecDestroy(&forces));
   PetscCall(VecDestroy(&step));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -19,9 +19,9 @@ def value(formula, **numbers):
     return eval(formula, {"sin": math.sin}, numbers)  # pylint: disable=eval-used
 
 
-def cell_stiffness(corners, nodes, model):
+def cell_stiffness(corners, nodes, model, poisson=POISSON):
     """Of a rectangle, in plane strain or around an axis."""
-    lame, shear = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), YOUNG / (2 * (1 + POISSON))
+    lame, shear = YOUNG * poisson / ((1 + poisson) * (1 - 2 * poisson)), YOUNG / (2 * (1 + poisson))
     size = nodes[-1] - nodes[0]
     total = np.zeros((8, 8))
     for (x, u), (y, v) in itertools.product(GAUSS, repeat=2):
