@@ -15,8 +15,16 @@ static const PetscReal SAFETY = 1.25;
 static const PetscReal RATE_MIN = 0.5, RATE_MAX_MESHES = 2;
 /* The same for load steps: slip from the beginning to the end of a step is of first order. */
 static const PetscReal RATE_MAX_STEPS = 1;
+/* Load steps whose order is farther than this from 1 have this times the spread of their values, at least: contact grows
+   from node to node, and loads may turn within a step. */
+static const PetscReal REGULAR = 0.2, IRREGULAR_SPREAD = 2;
 /* Relative difference between solutions of the same equations, on other numbers of processes for instance. */
 static const PetscReal SOLVED = 1e-9;
+
+static PetscReal RichardsonSpread_Private(const PetscReal Q[RICHARDSON_LEVELS])
+{
+  return PetscMax(PetscMax(Q[0], Q[1]), Q[2]) - PetscMin(PetscMin(Q[0], Q[1]), Q[2]);
+}
 
 /* [in] most - the highest order that is used */
 static Extrapolation RichardsonExtrapolate_Private(const PetscReal Q[RICHARDSON_LEVELS], PetscReal most)
@@ -34,7 +42,7 @@ static Extrapolation RichardsonExtrapolate_Private(const PetscReal Q[RICHARDSON_
     limit.value = Q[2] + second / shrink;
     limit.bar   = SAFETY * PetscMax(PetscAbsReal(second), least) / shrink;
   } else {
-    limit.bar = PetscMax(PetscMax(Q[0], Q[1]), Q[2]) - PetscMin(PetscMin(Q[0], Q[1]), Q[2]);
+    limit.bar = RichardsonSpread_Private(Q);
   }
   limit.bar = PetscMax(limit.bar, SOLVED * PetscAbsReal(limit.value));
   return limit;
@@ -47,7 +55,11 @@ Extrapolation RichardsonExtrapolate(const PetscReal Q[RICHARDSON_LEVELS])
 
 Extrapolation RichardsonExtrapolateSteps(const PetscReal Q[RICHARDSON_LEVELS])
 {
-  return RichardsonExtrapolate_Private(Q, RATE_MAX_STEPS);
+  Extrapolation limit = RichardsonExtrapolate_Private(Q, RATE_MAX_STEPS);
+
+  if (!limit.monotone || PetscAbsReal(limit.rate - RATE_MAX_STEPS) > REGULAR)
+    limit.bar = PetscMax(limit.bar, IRREGULAR_SPREAD * RichardsonSpread_Private(Q));
+  return limit;
 }
 
 /* Prints a number, without the leading zeros and the plus sign that printf gives exponents. */
