@@ -189,7 +189,13 @@ static PetscErrorCode RunRemember_Private(Run run)
   if (RunIsBalanced_Private(run))
     PetscCall(EnergyBalanceAdvance(run->fields, run->reactions, &run->energy, &run->balance));
   PetscCall(VecDestroy(&run->past[1].u));
-  run->past[1] = run->past[0];
+  PetscCall(VecDestroy(&run->past[1].b));
+  run->past[1]   = run->past[0];
+  run->past[0].b = NULL;
+  if (run->vi->friction) {
+    PetscCall(VecDuplicate(run->vi->b, &run->past[0].b));
+    PetscCall(VecCopy(run->vi->b, run->past[0].b));
+  }
   PetscCall(PetscObjectReference((PetscObject)run->fields->u));
   run->past[0].u = run->fields->u;
   run->past[0].t = run->scene->time;
@@ -259,6 +265,44 @@ static PetscErrorCode RunExtrapolate_Private(Run run, Vec *guess)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Takes back what the extrapolation of a guess has too much, where loads grow less than time, or turn.
+   Friction does not turn with them: it is released first. [in,out] guess - of RunExtrapolate_Private() */
+static PetscErrorCode RunFollowLoads_Private(Run run, Vec guess)
+{
+  const PetscReal last = run->past[0].t, before = run->past[1].t;
+  PetscReal       along;
+  PetscScalar     product, size;
+  Vec             change, growth, diagonal, local, other;
+
+  PetscFunctionBeginUser;
+  if (!run->past[0].b || !run->past[1].b || before == last) PetscFunctionReturn(PETSC_SUCCESS);
+  along = (run->scene->time - last) / (last - before);
+  PetscCall(VecDuplicate(run->vi->b, &change));
+  PetscCall(VecDuplicate(run->vi->b, &growth));
+  PetscCall(VecDuplicate(run->vi->b, &diagonal));
+  PetscCall(MatGetDiagonal(run->vi->A, diagonal));
+  PetscCall(VecWAXPY(change, -1, run->past[0].b, run->vi->b));
+  PetscCall(VecWAXPY(growth, -1, run->past[1].b, run->past[0].b));
+  PetscCall(VecPointwiseDivide(diagonal, growth, diagonal));
+  PetscCall(VecDot(change, diagonal, &product));
+  PetscCall(VecDot(growth, diagonal, &size));
+  if (PetscRealPart(size) > 0 && PetscRealPart(product) < along * PetscRealPart(size)) {
+    const PetscReal more = along - PetscMax(PetscRealPart(product) / PetscRealPart(size), 0);
+
+    PetscCall(VecGhostGetLocalForm(guess, &local));
+    for (int i = 0; i < 2; i++) {
+      PetscCall(VecGhostGetLocalForm(run->past[i].u, &other));
+      PetscCall(VecAXPY(local, i ? more : -more, other));
+      PetscCall(VecGhostRestoreLocalForm(run->past[i].u, &other));
+    }
+    PetscCall(VecGhostRestoreLocalForm(guess, &local));
+  }
+  PetscCall(VecDestroy(&change));
+  PetscCall(VecDestroy(&growth));
+  PetscCall(VecDestroy(&diagonal));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 void RunForgetBlocks(Run run)
 {
   cJSON_Delete(run->estimate);
@@ -283,8 +327,9 @@ static PetscErrorCode RunForget_Private(Run run)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Solves again with the present matrices and contact. [out] again - whether all must be made anew */
-static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool *again)
+/* Solves again with the present matrices and contact. [in] extrapolated - the guess is; [out] again - whether
+   all must be made anew */
+static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool extrapolated, PetscBool *again)
 {
   const int changed = run->scene->changed;
   PetscBool updated;
@@ -294,6 +339,7 @@ static PetscErrorCode RunAdvanceOnce_Private(Run run, Vec guess, PetscBool *agai
   PetscCall(VIUpdate(run->vi, changed, &updated));
   *again = (PetscBool)!updated;
   if (*again) PetscFunctionReturn(PETSC_SUCCESS);
+  if (extrapolated) PetscCall(RunFollowLoads_Private(run, guess));
   if (run->past[0].u) PetscCall(VISetSlipOrigin(run->vi, run->past[0].u));
   PetscCall(SolvabilityUpdate(run->vi, run->solvability));
   PetscCall(ErrorsCheck(run->vi));
@@ -311,7 +357,7 @@ PetscErrorCode RunAdvance(Vec guess, Run *run)
 {
   const Scene scene = (*run)->scene;
   const Mesh  mesh  = (*run)->mesh;
-  Vec         past[2], own = NULL;
+  Vec         past[2], loads[2], own = NULL;
   PetscReal   t[2];
   PetscBool   again;
 
@@ -320,15 +366,17 @@ PetscErrorCode RunAdvance(Vec guess, Run *run)
   if (!guess) PetscCall(RunExtrapolate_Private(*run, &own));
   WarningBeginAgain();
   PetscCall(RunForget_Private(*run));
-  PetscCall(RunAdvanceOnce_Private(*run, guess ? guess : own, &again));
+  PetscCall(RunAdvanceOnce_Private(*run, guess ? guess : own, (PetscBool)(own != NULL), &again));
   for (int i = 0; i < 2; i++) {
     past[i]           = (*run)->past[i].u;
+    loads[i]          = (*run)->past[i].b;
     t[i]              = (*run)->past[i].t;
-    (*run)->past[i].u = NULL;
+    (*run)->past[i].u = (*run)->past[i].b = NULL;
   }
   PetscCall(RunTry_Private(scene, mesh, guess ? guess : own, past[0], again, NULL, run));
   for (int i = 0; i < 2; i++) {
     (*run)->past[i].u = past[i];
+    (*run)->past[i].b = loads[i];
     (*run)->past[i].t = t[i];
   }
   PetscCall(RunRemember_Private(*run));
@@ -355,7 +403,10 @@ PetscErrorCode RunDestroy(Run *run)
   PetscFunctionBeginUser;
   if (!*run) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(RunForget_Private(*run));
-  for (int i = 0; i < 2; i++) PetscCall(VecDestroy(&(*run)->past[i].u));
+  for (int i = 0; i < 2; i++) {
+    PetscCall(VecDestroy(&(*run)->past[i].u));
+    PetscCall(VecDestroy(&(*run)->past[i].b));
+  }
   PetscCall(EnergyStateForget(&(*run)->energy));
   PetscCall(SetupCheckDestroy(&(*run)->setup));
   PetscCall(PetscFree((*run)->inf_sup));

@@ -20,6 +20,7 @@ struct _n_Run {
   Vec         y;
   struct {
     Vec       u; /* displacement, or NULL */
+    Vec       b; /* right-hand side of the inequality, with friction, or NULL */
     PetscReal t;
   } past[2];             /* the last solutions, the latest first */
   EnergyState   energy;  /* with friction and load steps: the end of the last solved step */

@@ -4,7 +4,7 @@ follow its friction: its load is not solved, and not refused."""
 from judge import Run, near, require, same
 
 # Motion; limit of the work on it; loads in parts of the limit that are not solved, and that are refused.
-CASES = {"fit": ("body shaft slides along (0, 1)", 44532.0758, (), (1.002,)), "jaw": ("body block slides along (0.8, 0.6, 0)", 20, (1.002,), (1.2,)), "bar": (None, None, (1.02,), ())}
+CASES = {"fit": ("body shaft slides along (0, 1)", 44532.0758, (), (1.002,)), "jaw": ("body block slides along (0.8", 20, (1.002,), (1.2,)), "bar": (None, None, (1.02,), ())}
 
 
 def judge(run):

@@ -47,13 +47,16 @@ static void TestIrregular(void)
 /* Steps are of first order: what looks like a higher one is chance. */
 static void TestSteps(void)
 {
-  const PetscReal     first[] = {2, 1.5, 1.25}, chance[] = {0, 1, 1.0001};
-  const Extrapolation exact = RichardsonExtrapolateSteps(first), lucky = RichardsonExtrapolateSteps(chance);
+  const PetscReal     first[] = {2, 1.5, 1.25}, chance[] = {0, 1, 1.0001}, zigzag[] = {0, 1, 0.5};
+  const Extrapolation exact = RichardsonExtrapolateSteps(first), lucky = RichardsonExtrapolateSteps(chance),
+                      turned = RichardsonExtrapolateSteps(zigzag);
 
   CHECK_NEAR(exact.value, 1, 1e-12);
   CHECK_NEAR(exact.bar, 1.25 * 0.25, 1e-12);
   CHECK_NEAR(lucky.value, 1.0002, 1e-12);
-  CHECK_NEAR(lucky.bar, 1.25 * 0.5, 1e-12);
+  CHECK_NEAR(lucky.bar, 2 * 1.0001, 1e-12);
+  CHECK_NEAR(turned.value, 0.5, 1e-12);
+  CHECK_NEAR(turned.bar, 2, 1e-12);
 }
 
 static void TestText(void)
