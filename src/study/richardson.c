@@ -15,7 +15,7 @@ static const PetscReal SAFETY = 1.25;
 static const PetscReal RATE_MIN = 0.5, RATE_MAX_MESHES = 2;
 /* The same for load steps: slip from the beginning to the end of a step is of first order. */
 static const PetscReal RATE_MAX_STEPS = 1;
-/* Where the order of load steps is below RATE_MIN or above RATE_CHANCE, the bar is at least IRREGULAR_SPREAD
+/* Where the order of load steps is above RATE_CHANCE, or there is none, the bar is at least IRREGULAR_SPREAD
    times the spread of the values. Contact grows from node to node then, or loads turn within a step. */
 static const PetscReal RATE_CHANCE = 1.2, IRREGULAR_SPREAD = 2;
 /* Relative difference between solutions of the same equations, on other numbers of processes for instance. */
@@ -57,7 +57,7 @@ Extrapolation RichardsonExtrapolateSteps(const PetscReal Q[RICHARDSON_LEVELS])
 {
   Extrapolation limit = RichardsonExtrapolate_Private(Q, RATE_MAX_STEPS);
 
-  if (!limit.monotone || limit.rate < RATE_MIN || limit.rate > RATE_CHANCE)
+  if (!limit.monotone || limit.rate > RATE_CHANCE)
     limit.bar = PetscMax(limit.bar, IRREGULAR_SPREAD * RichardsonSpread_Private(Q));
   return limit;
 }
