@@ -50,7 +50,6 @@ static PetscErrorCode Mult_MGLevel(Mat A, Vec x, Vec y)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(A, &level));
   PetscCall(MatMult(level->base->op.S, x, y));
-  if (level->base->op.cycle_Z) PetscCall(MatMultAdd(level->base->op.cycle_Z, x, y, y));
   if (level->W) PetscCall(MGLevelAddRegularization_Private(level->W, x, y));
   if (level->change) PetscCall(MatMultAdd(level->change, x, y, y));
   level->hierarchy->work += level->base->share * level->base->part;

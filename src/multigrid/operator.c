@@ -22,7 +22,6 @@ PetscErrorCode OperatorDestroy(Operator *op)
   PetscCall(MatDestroy(&op->T));
   PetscCall(MatDestroy(&op->inverse));
   PetscCall(MatDestroy(&op->Z));
-  PetscCall(MatDestroy(&op->cycle_Z));
   PetscCall(MatDestroy(&op->waves));
   PetscCall(PetscFree(op->fixed));
   PetscCall(PetscFree(op->constrained));

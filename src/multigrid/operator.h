@@ -16,11 +16,10 @@ typedef struct {
   Mat       K;        /* in blocks of dim: stiffness in displacements u = T y; rows, products, MatConvert() */
   Vec       diagonal; /* of K */
   PetscReal stiffness;
-  Mat       S;       /* products with K / stiffness, of a cycle: single precision will do */
+  Mat       S;       /* products with T'KT / stiffness, of a cycle: single precision will do */
   Mat       T;       /* NULL for the identity */
   Mat       inverse; /* of T; NULL with T, and after HierarchyCreate() */
   Mat       Z;       /* (T'K T - K) / stiffness, few entries; NULL with T */
-  Mat       cycle_Z; /* the same for MatMultAdd() of a cycle, like S */
   Mat       waves;   /* y of waves: a second coarse space of a level with cells of order 1 (eq. 13.9); or NULL */
   PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */
   PetscInt num_constrained, *constrained; /* unknowns that are combinations of displacements; owned [num_constrained] */

@@ -323,28 +323,104 @@ static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat T)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BasisChangeCreateT(VI vi, const NodeBases *bases, const Couplings *couplings, Mat *T)
+/* Takes S to a basis. [in,out] T */
+static PetscErrorCode BasisChangeShift_Private(const Couplings *couplings, Mat T)
 {
-  Mat       E, shifted;
+  Mat shifted;
+
+  PetscFunctionBeginUser;
+  if (!couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatMatMult(couplings->shift, T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
+  PetscCall(MatAXPY(T, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatDestroy(&shifted));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Roundoff of F F^-1. */
+static const PetscReal ROUNDOFF = 1e-14;
+
+/* C of V = R (1 + C): F V = 1 + C at each node. [in] V - T without S; [out] C - owned by the caller */
+static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, Mat V, Mat *C)
+{
+  const PetscInt     dim = vi->level->dim, first = dim * vi->level->node_begin;
+  PetscInt          *nnz, num, n, N;
+  const PetscInt    *columns;
+  const PetscScalar *values;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(V, &n, NULL));
+  PetscCall(MatGetSize(V, &N, NULL));
+  PetscCall(PetscCalloc1(n, &nnz));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    for (PetscInt k = 0, row = vi->row_dof[r] - vi->row_dof[r] % dim; k < dim; k++) {
+      PetscCall(MatGetRow(V, row + k, &num, NULL, NULL));
+      nnz[vi->row_dof[r] - first] += num;
+      PetscCall(MatRestoreRow(V, row + k, &num, NULL, NULL));
+    }
+  }
+  PetscCall(MatCreate(vi->level->comm, C));
+  PetscCall(MatSetSizes(*C, n, n, N, N));
+  PetscCall(MatSetType(*C, MATAIJ));
+  PetscCall(MatXAIJSetPreallocation(*C, 1, nnz, nnz, NULL, NULL));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt   row = vi->row_dof[r], begin = row - row % dim;
+    const PetscReal *F = &bases->F[(bases->of_node[(begin - first) / dim] * dim + row % dim) * dim];
+
+    PetscReal own[3] = {0, 0, 0};
+
+    own[row % dim] = -1;
+    for (PetscInt k = 0; k < dim; k++) {
+      PetscCall(MatGetRow(V, begin + k, &num, &columns, &values));
+      for (PetscInt c = 0; c < num; c++) {
+        if (columns[c] >= begin && columns[c] < begin + dim)
+          own[columns[c] - begin] += F[k] * PetscRealPart(values[c]);
+        else if (F[k] * values[c] != 0)
+          PetscCall(MatSetValue(*C, row, columns[c], F[k] * values[c], ADD_VALUES));
+      }
+      PetscCall(MatRestoreRow(V, begin + k, &num, &columns, &values));
+    }
+    for (PetscInt k = 0; k < dim; k++)
+      if (PetscAbsReal(own[k]) > ROUNDOFF) PetscCall(MatSetValue(*C, row, begin + k, own[k], ADD_VALUES));
+  }
+  PetscCall(PetscFree(nnz));
+  PetscCall(MatAssemblyBegin(*C, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(*C, MAT_FINAL_ASSEMBLY));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BasisChangeCreate(VI vi, const NodeBases *bases, const Couplings *couplings, BasisChange *change)
+{
+  Mat       E, C, local;
   PetscBool chained;
   PetscInt  special = bases->num;
 
   PetscFunctionBeginUser;
-  *T = NULL;
+  PetscCall(PetscArrayzero(change, 1));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (special == 0 && !couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(BasisChangeIsChained_Private(vi, bases, couplings, &chained));
-  PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, T));
+  PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, &change->T));
   if (chained) {
     PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_FALSE, PETSC_TRUE, &E));
-    PetscCall(BasisChangeAddPowers_Private(vi, E, *T));
+    PetscCall(BasisChangeAddPowers_Private(vi, E, change->T));
     PetscCall(MatDestroy(&E));
   }
-  if (couplings->shift) {
-    PetscCall(MatMatMult(couplings->shift, *T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
-    PetscCall(MatAXPY(*T, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
-    PetscCall(MatDestroy(&shifted));
-  }
+  PetscCall(BasisChangeCreateC_Private(vi, bases, change->T, &C));
+  PetscCall(BasisFactorCreate(C, &change->factor[1]));
+  PetscCall(MatDestroy(&C));
+  PetscCall(BasisChangeShift_Private(couplings, change->T));
+  PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, PETSC_FALSE, &local));
+  PetscCall(BasisChangeShift_Private(couplings, local));
+  PetscCall(BasisFactorCreateOf(local, &change->factor[0]));
+  PetscCall(MatDestroy(&local));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BasisChangeDestroy(BasisChange *change)
+{
+  PetscFunctionBeginUser;
+  PetscCall(MatDestroy(&change->T));
+  for (int f = 0; f < BASIS_FACTORS; f++) PetscCall(BasisFactorDestroy(&change->factor[f]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

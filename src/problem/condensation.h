@@ -2,11 +2,11 @@
 #ifndef MORTISE_CONDENSATION_H
 #define MORTISE_CONDENSATION_H
 
-#include "problem/vi.h"
+#include "problem/basischange.h"
 
-/* Z = T'KT - K for a symmetric K and a T that differs from the identity in few rows. Collective.
-   [out] Z - AIJ, owned by the caller */
-PetscErrorCode CondensationCreate(Mat K, Mat T, Mat *Z);
+/* Z = T'KT - K for a symmetric K. Collective.
+   [in] factors - of T [BASIS_FACTORS]; [out] Z - AIJ, owned by the caller */
+PetscErrorCode CondensationCreate(Mat K, const BasisFactor factors[], Mat *Z);
 
 /* A = M (K / stiffness + Z) M + 1 - M + W without forming it: a shell, where M is 0 for the fixed unknowns of
    vi. Collective.

@@ -1,12 +1,12 @@
 /* condensedmatrix.c -- the matrix A of the inequality, as a shell of products or as an AIJ matrix.
 
-   Iterations need its products alone. K and the small Z give these without a second matrix of the size of
-   K. */
+   Iterations need its products alone. K and the factors of T give these without a second matrix of the size
+   of K. */
 #include "base/compat.h"
 #include "problem/condensation.h"
 
 typedef struct {
-  Mat             Z, S; /* S is K / stiffness */
+  Mat             Z, S; /* S is T'KT / stiffness, for products */
   PetscReal       stiffness;
   PetscInt        num;
   const PetscInt *fixed;
@@ -26,7 +26,6 @@ static PetscErrorCode MatMult_Condensed(Mat A, Vec x, Vec y)
   for (PetscInt i = 0; i < c->num; i++) a[c->fixed[i]] = 0;
   PetscCall(VecRestoreArray(c->work, &a));
   PetscCall(MatMult(c->S, c->work, y));
-  if (c->Z) PetscCall(MatMultAdd(c->Z, c->work, y, y));
   if (c->regularization) {
     PetscCall(VecPointwiseMult(c->work, c->regularization, c->work));
     PetscCall(VecAXPY(y, 1, c->work));

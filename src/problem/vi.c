@@ -12,6 +12,7 @@
 #include "problem/stiffness.h"
 #include "problem/cyclicroles.h"
 #include "problem/condensation.h"
+#include "problem/condensedproduct.h"
 #include "problem/loads.h"
 #include "problem/frictionlaw.h"
 
@@ -81,11 +82,14 @@ static PetscErrorCode VISetLoad_Private(VI vi, const PetscReal values[])
 static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
 {
   const PetscInt first = vi->level->dim * vi->level->node_begin;
+  Mat            scaled;
 
   PetscFunctionBeginUser;
-  if (vi->T) PetscCall(CondensationCreate(vi->K, vi->T, &vi->Z));
+  if (vi->T) PetscCall(CondensationCreate(vi->K, vi->basis->change.factor, &vi->Z));
   if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
-  PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, &vi->S));
+  PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, &scaled));
+  PetscCall(CondensedProductCreate(scaled, vi, &vi->S));
+  PetscCall(MatDestroy(&scaled));
   PetscCall(VecDuplicate(vi->f, &vi->b));
   PetscCall(VISetLoad_Private(vi, values));
   PetscCall(PetscMalloc1(vi->num_fixed, &vi->fixed_local));
@@ -187,7 +191,8 @@ static PetscErrorCode VICreateOnLevel_Private(Scene scene, Mesh mesh, Level *lev
   PetscCall(NodeBasesCreate(vi, &basis->bases));
   PetscCall(CouplingsCreate(vi, &basis->couplings));
   PetscCall(KKTSystemCreate(vi, &basis->bases, &basis->couplings));
-  PetscCall(BasisChangeCreateT(vi, &basis->bases, &basis->couplings, &vi->T));
+  PetscCall(BasisChangeCreate(vi, &basis->bases, &basis->couplings, &basis->change));
+  vi->T = basis->change.T;
   if (scales) {
     vi->length    = scales->length;
     vi->stiffness = scales->stiffness;
@@ -324,6 +329,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
   if (vi->basis) {
     PetscCall(CouplingsDestroy(&vi->basis->couplings));
     PetscCall(NodeBasesDestroy(&vi->basis->bases));
+    PetscCall(BasisChangeDestroy(&vi->basis->change));
   }
   PetscCall(PetscFree(vi->basis));
   PetscCall(PetscFree(vi->fixed));
@@ -336,7 +342,6 @@ PetscErrorCode VIDestroy(VI *vi_in)
   PetscCall(PetscFree5(vi->row_pair, vi->row_node, vi->row_direction, vi->row_dof, vi->row_D));
   PetscCall(MatDestroy(&vi->B));
   PetscCall(MatDestroy(&vi->K));
-  PetscCall(MatDestroy(&vi->T));
   PetscCall(MatDestroy(&vi->A));
   PetscCall(MatDestroy(&vi->Z));
   PetscCall(MatDestroy(&vi->S));

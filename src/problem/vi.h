@@ -47,7 +47,7 @@ struct _n_VI {
   /* the inequality */
   Mat          T;        /* u = length * T y; NULL when it is the identity */
   Mat          Z;        /* (T'KT - K) / stiffness: nonzero beside contact only; NULL with T */
-  Mat          S;        /* K / stiffness, for products */
+  Mat          S;        /* T'KT / stiffness, for products */
   Mat          A;        /* SPD, block size dim; a shell that knows products and diagonal, until VIAssemble() */
   Vec          b;        /* ghosted */
   Vec          upper;    /* nodal gaps / length on contact unknowns, +infinity elsewhere */

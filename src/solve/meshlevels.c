@@ -7,7 +7,7 @@
 #include "base/compat.h"
 #include "problem/coarsestiffness.h"
 #include "problem/elasticity.h"
-#include "problem/fewblocks.h"
+#include "problem/condensedproduct.h"
 #include "problem/stiffness.h"
 #include "solve/cellprolongation.h"
 #include "solve/meshlevels.h"
@@ -268,22 +268,21 @@ static PetscErrorCode MeshLevelsMarkTight_Private(VI vi, Operator *op)
    26 and 26 of `hertz3d` of order 2, 8e4 by its graded cells. */
 static const PetscReal SINGLE_RANGE = 1e6;
 
-/* Products of a cycle with K and Z. [out] S, Z - owned by the caller; Z is NULL like that of vi */
-static PetscErrorCode MeshLevelsCreateProducts_Private(VI vi, Mat *S, Mat *Z)
+/* Products of a cycle. [out] S - owned by the caller */
+static PetscErrorCode MeshLevelsCreateProducts_Private(VI vi, Mat *S)
 {
   PetscReal largest, smallest;
+  Mat       K;
 
   PetscFunctionBeginUser;
   PetscCall(VecMax(vi->diagonal, NULL, &largest));
   PetscCall(VecMin(vi->diagonal, NULL, &smallest));
-  if (largest <= SINGLE_RANGE * smallest) {
-    PetscCall(StiffnessCreateSingle(vi->K, 1 / vi->stiffness, S));
-    if (vi->Z) PetscCall(FewBlocksCreate(vi->Z, vi->level->dim, Z));
-  } else {
-    PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, S));
-    PetscCall(PetscObjectReference((PetscObject)vi->Z));
-    *Z = vi->Z;
-  }
+  if (largest <= SINGLE_RANGE * smallest)
+    PetscCall(StiffnessCreateSingle(vi->K, 1 / vi->stiffness, &K));
+  else
+    PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, &K));
+  PetscCall(CondensedProductCreate(K, vi, S));
+  PetscCall(MatDestroy(&K));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -306,7 +305,7 @@ PetscErrorCode MeshLevelsCreateOperator(const Inequality *inequality, Vec W, Ope
   PetscCall(OperatorSetInequality(op, inequality->A, inequality->b, inequality->upper, W));
   PetscCall(PetscObjectReference((PetscObject)op->K));
   PetscCall(PetscObjectReference((PetscObject)op->diagonal));
-  PetscCall(MeshLevelsCreateProducts_Private(vi, &op->S, &op->cycle_Z));
+  PetscCall(MeshLevelsCreateProducts_Private(vi, &op->S));
   PetscCall(PetscObjectReference((PetscObject)op->T));
   PetscCall(PetscObjectReference((PetscObject)op->Z));
   PetscCall(VICreateInverseBasis(vi, &op->inverse));
@@ -419,7 +418,7 @@ static PetscErrorCode MeshLevelsRestrictProducts_Private(MeshLevels levels, Pets
   for (PetscInt l = from; l < levels->num; l++) {
     HierarchyLevel *level = &levels->hierarchy->level[levels->hierarchy->first + l];
 
-    if (level->region || level->part < 1) PetscCall(StiffnessRestrict(level->op.S, level->region, &level->part));
+    if (level->region || level->part < 1) PetscCall(CondensedProductRestrict(level->op.S, level->region, &level->part));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }

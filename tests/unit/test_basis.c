@@ -2,6 +2,8 @@
    supports are met. This holds for any order, any nodes with multipliers, in the plane and in space, and on
    any number of ranks. */
 #include "base/compat.h"
+#include "problem/condensedproduct.h"
+#include "problem/stiffness.h"
 #include "rigid/nearnullspace.h"
 #include "mesh_scene.h"
 #include "solid_scene.h"
@@ -187,6 +189,48 @@ static void TestProducts(VI vi)
   CHECK(!VecDestroy(&x));
 }
 
+/* Products restricted to every third node are right there for any x, and everywhere for an x that is 0 at other nodes. */
+static void TestRegion(VI vi)
+{
+  const PetscInt dim = vi->level->dim;
+  PetscReal      part, norm, off;
+  PetscInt       n;
+  Vec            region, x, y[2];
+  Mat            S, P;
+
+  CHECK(!StiffnessCreateScaled(vi->K, 1 / vi->stiffness, &S));
+  CHECK(!CondensedProductCreate(S, vi, &P));
+  CHECK(!VecDuplicate(vi->upper, &region));
+  CHECK(!VecDuplicate(region, &x));
+  CHECK(!VecGetLocalSize(x, &n));
+  for (PetscInt i = 0; i < 2; ++i) CHECK(!VecDuplicate(x, &y[i]));
+  for (PetscInt i = 0; i < n; ++i) {
+    CHECK(!VecSetValue(region, dim * vi->level->node_begin + i, i / dim % 3 == 0, INSERT_VALUES));
+    CHECK(!VecSetValue(x, dim * vi->level->node_begin + i, Uniform(-1, 1), INSERT_VALUES));
+  }
+  CHECK(!VecAssemblyBegin(region));
+  CHECK(!VecAssemblyEnd(region));
+  CHECK(!VecAssemblyBegin(x));
+  CHECK(!VecAssemblyEnd(x));
+  for (int within = 0; within < 2; ++within) {
+    if (within) CHECK(!VecPointwiseMult(x, x, region));
+    CHECK(!MatMult(vi->S, x, y[0]));
+    CHECK(!CondensedProductRestrict(P, region, &part));
+    CHECK(!MatMult(P, x, y[1]));
+    CHECK(!VecNorm(y[0], NORM_2, &norm));
+    CHECK(!VecAXPY(y[1], -1, y[0]));
+    if (!within) CHECK(!VecPointwiseMult(y[1], y[1], region));
+    CHECK(!VecNorm(y[1], NORM_2, &off));
+    CHECK(part > 0 && part <= 1);
+    CHECK_NEAR(off, 0, 1e-12 * norm);
+  }
+  for (PetscInt i = 0; i < 2; ++i) CHECK(!VecDestroy(&y[i]));
+  CHECK(!VecDestroy(&x));
+  CHECK(!VecDestroy(&region));
+  CHECK(!MatDestroy(&P));
+  CHECK(!MatDestroy(&S));
+}
+
 int main(int argc, char **argv)
 {
   TestScene t;
@@ -198,10 +242,13 @@ int main(int argc, char **argv)
     vi = CreateVI(&t, (Case)which, PETSC_FALSE, &mesh);
     TestRows(vi);
     TestMotions(vi);
+    TestRegion(vi);
+    TestProducts(vi);
     DestroyVI(&t, &mesh, &vi);
   }
   vi = CreateVI(&t, CASE_VERTICES, PETSC_TRUE, &mesh);
   TestSupports(vi);
+  TestRegion(vi);
   TestProducts(vi);
   DestroyVI(&t, &mesh, &vi);
   vi = CreateSolidVI(&t, PETSC_FALSE, &mesh);
@@ -210,6 +257,7 @@ int main(int argc, char **argv)
   DestroyVI(&t, &mesh, &vi);
   vi = CreateSolidVI(&t, PETSC_TRUE, &mesh);
   TestSupports(vi);
+  TestRegion(vi);
   TestProducts(vi);
   DestroyVI(&t, &mesh, &vi);
   PetscCall(PetscFinalize());

@@ -425,14 +425,6 @@ static void ReplaceProducts(MeshLevels levels)
     CHECK(!MatDestroy(&op->S));
     CHECK(!PetscObjectReference((PetscObject)vi->S));
     op->S = vi->S;
-    if (op->Z) {
-      CHECK(!MatMultAdd(op->cycle_Z, x, x, image));
-      CHECK(!MatMultAdd(op->Z, x, x, expected));
-      CHECK_NEAR(Difference(image, expected), 0, ROUNDING_SINGLE);
-      CHECK(!MatDestroy(&op->cycle_Z));
-      CHECK(!PetscObjectReference((PetscObject)op->Z));
-      op->cycle_Z = op->Z;
-    }
     CHECK(!VecDestroy(&x));
     CHECK(!VecDestroy(&image));
     CHECK(!VecDestroy(&expected));

@@ -1,7 +1,6 @@
 /* test_symmetricblocks.c -- products with a random symmetric matrix in blocks against the sum of its entries; equal
    rows. */
 #include "base/compat.h"
-#include "problem/fewblocks.h"
 #include "problem/symmetricblocks.h"
 #include <test.h>
 
@@ -171,55 +170,6 @@ static PetscErrorCode TestShare(PetscInt bs)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sums in single precision with a matrix in which nodes without entries lie between others. */
-static PetscErrorCode TestFew(PetscInt bs)
-{
-  const PetscInt nodes[3] = {1, 4, 7}, n = NUM * bs;
-  PetscScalar    value;
-  Mat            Z, S;
-  Vec            x, y, z, expected;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatCreateSeqAIJ(PETSC_COMM_SELF, n, n, 3 * bs, NULL, &Z));
-  for (PetscInt i = 0; i < 3 * bs; i++) {
-    for (PetscInt j = i; j < 3 * bs; j++) {
-      const PetscInt row = bs * nodes[i / bs] + i % bs, column = bs * nodes[j / bs] + j % bs;
-
-      if (i / bs == 1 && j / bs == 1) continue; // an empty block on the diagonal
-      value = Uniform(-1, 1);
-      PetscCall(MatSetValue(Z, row, column, value, INSERT_VALUES));
-      PetscCall(MatSetValue(Z, column, row, value, INSERT_VALUES));
-    }
-  }
-  PetscCall(MatAssemblyBegin(Z, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(Z, MAT_FINAL_ASSEMBLY));
-  PetscCall(FewBlocksCreate(Z, bs, &S));
-  PetscCall(MatCreateVecs(Z, &x, &y));
-  PetscCall(VecDuplicate(y, &z));
-  PetscCall(VecDuplicate(y, &expected));
-  for (PetscInt i = 0; i < n; i++) {
-    PetscCall(VecSetValue(x, i, Uniform(-1, 1), INSERT_VALUES));
-    PetscCall(VecSetValue(y, i, Uniform(-1, 1), INSERT_VALUES));
-  }
-  PetscCall(MatMultAdd(Z, x, y, expected));
-  PetscCall(MatMultAdd(S, x, y, z));
-  PetscCall(MatMultAdd(S, x, y, y));
-  PetscCall(VecAXPY(z, -1, expected));
-  PetscCall(VecAXPY(y, -1, expected));
-  PetscCall(VecNorm(z, NORM_INFINITY, &value));
-  CHECK(value > 0); // it is not Z itself
-  CHECK_NEAR(PetscRealPart(value), 0, ROUNDING_SINGLE);
-  PetscCall(VecNorm(y, NORM_INFINITY, &value));
-  CHECK_NEAR(PetscRealPart(value), 0, ROUNDING_SINGLE);
-  PetscCall(VecDestroy(&x));
-  PetscCall(VecDestroy(&y));
-  PetscCall(VecDestroy(&z));
-  PetscCall(VecDestroy(&expected));
-  PetscCall(MatDestroy(&S));
-  PetscCall(MatDestroy(&Z));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 int main(int argc, char **argv)
 {
   PetscFunctionBeginUser;
@@ -229,7 +179,6 @@ int main(int argc, char **argv)
     PetscCall(TestMultRows(bs));
     PetscCall(TestGetRow(bs));
     PetscCall(TestShare(bs));
-    PetscCall(TestFew(bs));
   }
   PetscCall(PetscFinalize());
   return 0;

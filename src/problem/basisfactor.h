@@ -1,0 +1,26 @@
+/* basisfactor.h -- a factor 1 + E of a change of basis, where E has few rows. */
+#ifndef MORTISE_BASISFACTOR_H
+#define MORTISE_BASISFACTOR_H
+
+#include <petscmat.h>
+
+typedef struct {
+  Mat few;  /* the rows of E that are not empty, rank by rank */
+  IS  rows; /* their numbers, counted from this rank's first; of this process alone */
+} BasisFactor;
+
+/* Collective. [in] E - AIJ; [out] factor - to be released by BasisFactorDestroy() */
+PetscErrorCode BasisFactorCreate(Mat E, BasisFactor *factor);
+/* The same with E = T - 1. Collective. */
+PetscErrorCode BasisFactorCreateOf(Mat T, BasisFactor *factor);
+/* E with all rows. Collective. [out] E - AIJ, owned by the caller */
+PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E);
+/* Collective. */
+PetscErrorCode BasisFactorDestroy(BasisFactor *factor);
+
+/* Some rows of one matrix, or of two in turn: a matrix with as many columns. Collective.
+   [in] rows - of this rank [num]; other - NULL, or with as many rows and columns;
+   [out] few - AIJ, owned by the caller */
+PetscErrorCode MatRowsCreate(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few);
+
+#endif
