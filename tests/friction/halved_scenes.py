@@ -7,8 +7,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from judge import LONG, Run, require  # noqa: E402 pylint: disable=wrong-import-position
 
-SEEDS = range(100, 124) if LONG else (109, 114, 117)
-PARTS = 64 if LONG else 24
+SEEDS = range(100, 124) if LONG else (114, 117, 119)
+PARTS = 64 if LONG else 32
 DEPENDS = 1e-4  # of the number's scale: from whole steps to many parts
 SUMS = ("dissipation", "work", "stored", "defect")  # over the parts of a step
 SCALES = {"normal_force": "force", "force": "force", "tangential_force": "force", "area": "area", "max_pressure": "pressure", "max_pressure_covered": "pressure", "slip_share": "1",
@@ -125,7 +125,7 @@ def judge_scene(run, seed):
             size = scales[scale_of(name)]
             if abs(right[name] - first[name]) > DEPENDS * size:
                 bars += 1
-                missed += [f"{seed}: step {k} {name}"] * (abs(values[name] - right[name]) > widths[name] + abs(right[name] - numbers_of(row)[name]) * 4 / PARTS)
+                missed += [f"{seed}: step {k} {name}"] * (abs(values[name] - right[name]) > widths[name] + abs(right[name] - numbers_of(row)[name]) * 2 / PARTS)
     return bars, missed
 
 
