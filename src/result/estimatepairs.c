@@ -200,7 +200,8 @@ typedef struct {
   Largest              *hidden;     /* of each pair, on this rank; NULL with a frozen set [num_pairs] */
 } PairSums;
 
-/* d^2 at a point. [in] resistance - pi E* / h */
+/* d^2 at a point. The pressure of a node in contact extends over facets beyond an edge. L has none where it
+   could not close the gap. [in] resistance - pi E* / h */
 static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const PairPoint *point,
                                         const PointState *state, PetscReal resistance, PairSums *sums)
 {
@@ -218,7 +219,7 @@ static PetscReal EstimateGetGap_Private(const Fields fields, PetscInt p, const P
     sums->signs -= 2 * weight * VectorDot(dim, state->jump, state->traction);
     return squared;
   }
-  sums->signs -= 2 * weight * pressure * depth;
+  if (depth > -PetscMax(0, pressure) / resistance) sums->signs -= 2 * weight * pressure * depth;
   if (frozen) return state->closed ? depth * depth : 0;
   if (!state->pushed) LargestTake(&sums->hidden[p], depth, dim, state->x, 0);
   return depth < 0 ? PetscSqr(PetscMin(-depth, PetscMax(0, pressure) / resistance)) : depth * depth;

@@ -110,6 +110,7 @@ mortise_scene_test(corner_square SCENE two_plates CHECK corner.py RANKS 1 ARGS -
   -lower_dm_plex_box_lower -2,-2 -lower_dm_plex_box_upper 2,0 -lower_dm_plex_box_faces 8,4 -lower_young 1000 -lower_bc_traction_right 0,0
   -upper_bc_displacement_top 0,-0.001 -probe_corner_at 0,1 -probe_middle_at 0,0.5)
 mortise_scene_test(press_fit CHECK press_fit.py OWN_RUNS RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 1e-6 -adapt_max_meshes 2)
+mortise_scene_test(kink SCENE r4b CHECK kink.py OWN_RUNS RANKS 1 LONG_RANKS 3 ARGS -order 2 -block_dm_plex_box_faces 8,4)
 mortise_scene_test(edges SCENE r4b CHECK edges.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -adapt 0.5)
 mortise_scene_test(logarithm SCENE two_plates CHECK logarithm.py RANKS 1 ARGS ${plates} -order 1 -adapt 1e-1)
 mortise_scene_test(effectivity SCENE two_plates CHECK effectivity.py RANKS 1 ARGS -upper_dm_plex_box_faces 3,3 -lower_dm_plex_box_faces 2,2 -adapt 0.1)
