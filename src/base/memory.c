@@ -12,6 +12,7 @@
 #include <petscblaslapack.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -51,27 +52,33 @@ void MemoryPrepare(void)
   MemoryPrepareBLAS_Private();
 }
 
-static PetscReal MemoryGetPeakFromProc_Private(void)
+/* A number of a file that Linux makes, in bytes; NAN on other systems. [in] key - of its line, "VmHWM:" */
+static PetscReal MemoryGetFromProc_Private(const char path[], const char key[])
 {
-  FILE         *file = fopen("/proc/self/status", "r");
+  FILE         *file = fopen(path, "r");
   char          line[256];
   unsigned long size = 0;
 
-  while (file && !size && fgets(line, sizeof(line), file)) (void)sscanf(line, "VmHWM: %lu kB", &size);
+  while (file && !size && fgets(line, sizeof(line), file))
+    if (!strncmp(line, key, strlen(key))) (void)sscanf(line + strlen(key), "%lu kB", &size);
   if (file) fclose(file);
   return size ? (PetscReal)size * KILOBYTE : NAN;
 }
 
-/* Memory that Linux can give without swapping; NAN on other systems. */
+/* What Linux can give without swapping. */
 static PetscReal MemoryGetAvailable_Private(void)
 {
-  FILE         *file = fopen("/proc/meminfo", "r");
-  char          line[256];
-  unsigned long size = 0;
+  return MemoryGetFromProc_Private("/proc/meminfo", "MemAvailable:");
+}
 
-  while (file && !size && fgets(line, sizeof(line), file)) (void)sscanf(line, "MemAvailable: %lu kB", &size);
-  if (file) fclose(file);
-  return size ? (PetscReal)size * KILOBYTE : NAN;
+/* Addresses that a limit of this process leaves it; infinite without a limit. */
+static PetscReal MemoryGetAddresses_Private(void)
+{
+  const PetscReal taken = MemoryGetFromProc_Private("/proc/self/status", "VmSize:");
+  struct rlimit   limit;
+
+  if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY) return PETSC_INFINITY;
+  return (PetscReal)limit.rlim_cur - (PetscIsNanReal(taken) ? 0 : taken);
 }
 
 static PetscReal MemoryGetPeakFromUsage_Private(void)
@@ -89,7 +96,7 @@ static PetscReal MemoryGetPeakFromUsage_Private(void)
 PetscErrorCode MemoryPeak(MPI_Comm comm, PetscReal *bytes, PetscReal *largest)
 {
   PetscFunctionBeginUser;
-  *bytes = MemoryGetPeakFromProc_Private();
+  *bytes = MemoryGetFromProc_Private("/proc/self/status", "VmHWM:");
   if (PetscIsNanReal(*bytes)) *bytes = MemoryGetPeakFromUsage_Private();
   if (largest) PetscCallMPI(MPI_Allreduce(bytes, largest, 1, MPIU_REAL, MPI_MAX, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bytes, 1, MPIU_REAL, MPI_SUM, comm));
@@ -106,7 +113,8 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done)
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
-  file = PetscIsNanReal(MemoryGetPeakFromProc_Private()) ? NULL : fopen("/proc/self/clear_refs", "w");
+  file = PetscIsNanReal(MemoryGetFromProc_Private("/proc/self/status", "VmHWM:")) ? NULL
+                                                                                  : fopen("/proc/self/clear_refs", "w");
   if (file) {
     ok = fputs(reset, file) >= 0;
     ok = !fclose(file) && ok; // a failed write is noticed at the latest when the file is closed
@@ -118,7 +126,6 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done)
 
 PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffices)
 {
-  struct rlimit   limit;
   const PetscReal available = MemoryGetAvailable_Private();
   PetscReal       together;
   MPI_Comm        machine;
@@ -128,8 +135,27 @@ PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffice
   PetscCallMPI(MPI_Allreduce(&bytes, &together, 1, MPIU_REAL, MPI_SUM, machine));
   PetscCallMPI(MPI_Comm_free(&machine));
   *suffices = (PetscBool) !(together > available); // true also for NAN, where nothing is known
-  if (!getrlimit(RLIMIT_AS, &limit) && limit.rlim_cur != RLIM_INFINITY && bytes > (PetscReal)limit.rlim_cur)
-    *suffices = PETSC_FALSE;
+  if (bytes > MemoryGetAddresses_Private()) *suffices = PETSC_FALSE;
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, suffices, 1, MPIU_BOOL, MPI_LAND, comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MemoryLimit(MPI_Comm comm, PetscReal *bytes)
+{
+  const PetscReal available = MemoryGetAvailable_Private();
+  PetscReal       room      = MemoryGetAddresses_Private();
+  PetscMPIInt     size, sharing;
+  MPI_Comm        machine;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_size(comm, &size));
+  PetscCallMPI(MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine));
+  PetscCallMPI(MPI_Comm_size(machine, &sharing));
+  PetscCallMPI(MPI_Comm_free(&machine));
+  if (available / sharing < room) room = available / sharing; // false for NAN, where nothing is known
+  *bytes = MemoryGetFromProc_Private("/proc/self/status", "VmRSS:");
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, bytes, 1, MPIU_REAL, MPI_SUM, comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &room, 1, MPIU_REAL, MPIU_MIN, comm));
+  *bytes = PetscIsNanReal(*bytes) ? PETSC_INFINITY : *bytes + size * room;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

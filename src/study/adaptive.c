@@ -152,13 +152,14 @@ static PetscErrorCode AdaptiveRefine_Private(const struct _n_Adaptive *adaptive,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Measures the peak of memory so far, if that is limited. Collective. */
+/* Measures the peak of memory so far, and what there may be. Collective. */
 static PetscErrorCode AdaptiveMeasureMemory_Private(Adaptive adaptive)
 {
   CostPoint latest = {.unknowns = AdaptiveGetLast(adaptive)->unknowns};
 
   PetscFunctionBeginUser;
-  if (!(adaptive->scene->adapt.memory < PETSC_INFINITY)) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MemoryLimit(adaptive->scene->comm, &adaptive->memory));
+  adaptive->memory = PetscMin(adaptive->memory, adaptive->scene->adapt.memory);
   PetscCall(MemoryPeak(adaptive->scene->comm, &latest.bytes, NULL));
   if (latest.unknowns < adaptive->cost[0].unknowns) PetscFunctionReturn(PETSC_SUCCESS);
   if (latest.unknowns > adaptive->cost[0].unknowns) adaptive->cost[1] = adaptive->cost[0];

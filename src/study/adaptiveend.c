@@ -73,10 +73,9 @@ static PetscBool AdaptiveIsStalled_Private(const struct _n_Adaptive *adaptive)
   return PETSC_TRUE;
 }
 
-/* Memory of all processes with the next mesh; 0 without a limit. [in] next - its unknowns */
+/* Memory of all processes with the next mesh. [in] next - its unknowns */
 static PetscReal AdaptiveGetForecastBytes_Private(const struct _n_Adaptive *adaptive, PetscReal next)
 {
-  if (!(adaptive->scene->adapt.memory < PETSC_INFINITY)) return 0;
   return CostForecastNext(adaptive->scene, &adaptive->cost[0], adaptive->cost[1].unknowns ? &adaptive->cost[1] : NULL,
                           next);
 }
@@ -87,8 +86,10 @@ static void AdaptiveTellMemory_Private(const struct _n_Adaptive *adaptive, Petsc
   char needed[BYTES_TEXT], limit[BYTES_TEXT];
 
   CostForecastPrintBytes(AdaptiveGetForecastBytes_Private(adaptive, next), needed);
-  CostForecastPrintBytes(adaptive->scene->adapt.memory, limit);
-  (void)snprintf(why, ADAPTIVE_TEXT, "the next mesh would need about %s, -study_memory allows %s", needed, limit);
+  CostForecastPrintBytes(adaptive->memory, limit);
+  (void)snprintf(why, ADAPTIVE_TEXT, "the next mesh would need about %s, %s %s", needed,
+                 adaptive->memory < adaptive->scene->adapt.memory ? "and there are only" : "-study_memory allows",
+                 limit);
 }
 
 PetscBool AdaptiveIsOver(const struct _n_Adaptive *adaptive, char why[])
@@ -109,7 +110,7 @@ PetscBool AdaptiveIsOver(const struct _n_Adaptive *adaptive, char why[])
   else if (next > plan->max_unknowns)
     (void)snprintf(why, ADAPTIVE_TEXT, "the next mesh would have about %.2g unknowns, -adapt_max_unknowns allows %.3g",
                    (double)next, (double)plan->max_unknowns);
-  else if (AdaptiveGetForecastBytes_Private(adaptive, next) > plan->memory)
+  else if (AdaptiveGetForecastBytes_Private(adaptive, next) > adaptive->memory)
     AdaptiveTellMemory_Private(adaptive, next, why);
   else if (AdaptiveIsStalled_Private(adaptive))
     (void)snprintf(why, ADAPTIVE_TEXT, "%s the unknowns have hardly lowered it",

@@ -27,6 +27,7 @@ struct _n_Adaptive {
   PetscInt     num_older;
   OlderRun     older[KEPT_RUNS]; /* with load steps, coarse first */
   CostPoint    cost[2];          /* of the latest two meshes, the latest first */
+  PetscReal    memory;           /* of all ranks, at most: as asked for, or what the system has */
   PetscReal    rate;             /* of errors in the number of unknowns */
   PetscBool    quiet;
   PetscInt     levels;                 /* with an envelope: of the mesh that all steps were solved on last */

@@ -47,9 +47,11 @@ static PetscReal CostForecastGetBytes_Private(const Scene scene, const CostPoint
 
 PetscReal CostForecastNext(Scene scene, const CostPoint *last, const CostPoint *before, PetscReal unknowns)
 {
-  return last->bytes +
-         CostForecastGetBytes_Private(scene, last, before) * (CostForecastGrowth_Private(scene->dim, unknowns) -
-                                                              CostForecastGrowth_Private(scene->dim, last->unknowns));
+  const PetscReal growth = CostForecastGrowth_Private(scene->dim, last->unknowns);
+  PetscReal       bytes  = CostForecastGetBytes_Private(scene, last, before);
+
+  if (!before) bytes = PetscMin(bytes, last->bytes / growth); // A is not negative
+  return last->bytes + bytes * (CostForecastGrowth_Private(scene->dim, unknowns) - growth);
 }
 
 PetscReal CostForecastMemory(Study study, PetscInt order, PetscInt unknowns)

@@ -21,7 +21,7 @@ static void Hold(void)
 
 int main(int argc, char **argv)
 {
-  PetscReal   before, held, anew, most, one;
+  PetscReal   before, held, anew, most, one, limit;
   PetscMPIInt size, rank;
   PetscBool   done, suffices;
 
@@ -48,6 +48,8 @@ int main(int argc, char **argv)
   CHECK(suffices);
   PetscCall(MemorySuffices(PETSC_COMM_WORLD, rank == size - 1 ? MOST : 0, &suffices));
   if (access("/proc/meminfo", R_OK) == 0) CHECK(!suffices); // wherever one rank alone wants it
+  PetscCall(MemoryLimit(PETSC_COMM_WORLD, &limit));
+  CHECK(limit > anew - (PetscReal)HELD * size); // what is resident is a part of it
   PetscCall(PetscFinalize());
   return 0;
 }
