@@ -6,12 +6,18 @@
    extrapolated to the cell's nodes by the polynomial through these points: constant for order 1, linear or
    bilinear for order 2. At a node they are averaged over its cells, with their volumes as weights. Nodes
    belong to one body, and cells of two materials at a node have a stress each, so nothing is averaged across
-   an interface. Linear stresses are reproduced exactly on cells of order 2 with straight sides. */
+   an interface. Linear stresses are reproduced exactly on cells of order 2 with straight sides.
+
+   Along a curve, components of the stress turn. Linear functions of a curved cell lose the quadratic part of
+   that, which the displacement has: averages of them are further from the exact stress than that of the
+   displacement. What they lose is known once slopes of the averages are. */
 #include "base/compat.h"
+#include "kernel/vector.h"
 #include "level/ghosted.h"
 #include "problem/elasticity.h"
 #include "result/cellstress.h"
 #include "result/stress.h"
+#include "result/stressquadratic.h"
 
 enum { STRESSES = CELL_STRESSES, MAX_DIM = CELL_MAX_DIM };
 
@@ -57,6 +63,7 @@ typedef struct {
   const NodeMaterials *at;
   PetscScalar        **stress; /* times volume [at->most][num_nodes][STRESSES] */
   PetscScalar        **volume; /* [at->most][num_nodes] */
+  PetscReal           *cell;   /* volumes of cells [num_cells] */
 } Sums;
 
 /* Adds a cell's volume, and its stresses times its volume, to its nodes. [in] u - [num_nodes][dim] */
@@ -76,6 +83,7 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
     PetscCall(CellStressAtPoint(scene, &cell, &recovery->rule, q, stress[q], &det, NULL));
     volume += recovery->rule.weight[q] * det;
   }
+  sums->cell[c] = volume;
   for (PetscInt i = 0; i < n; i++) {
     const PetscInt at  = NodeMaterialsFind(sums->at, nodes[i], level->cell_material[c]);
     PetscScalar   *sum = &sums->stress[at][nodes[i] * STRESSES];
@@ -90,12 +98,14 @@ static PetscErrorCode StressAddCell_Private(Scene scene, const Level *level, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds this rank's cells to ghosted vectors. [in,out] volume - [stress->at.most] */
-static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, NodalStress *stress, Vec volume[])
+/* Adds this rank's cells to ghosted vectors.
+   [in,out] volume - [stress->at.most]; [out] cell - their volumes */
+static PetscErrorCode StressAddCells_Private(Scene scene, const Level *level, Vec u, NodalStress *stress, Vec volume[],
+                                             PetscReal cell[])
 {
   const PetscInt     most = stress->at.most;
   const PetscScalar *displacement;
-  Sums               sums = {.at = &stress->at};
+  Sums               sums = {.at = &stress->at, .cell = cell};
   Recovery          *recoveries;
   ElementRule       *rules;
 
@@ -203,18 +213,24 @@ static PetscErrorCode StressConform_Private(Level *level, const PetscBool contin
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Sums over all ranks. Collective. [in] continuous - of StressMarkContinuous_Private(), or NULL */
+static PetscErrorCode StressSum_Private(Level *level, const PetscBool continuous[], PetscInt bs, Vec v)
+{
+  PetscFunctionBeginUser;
+  PetscCall(LevelShareVec(v, ADD_VALUES));
+  if (continuous) PetscCall(StressJoin_Private(level, continuous, bs, v));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Sums over all ranks, divided by the volume where there is some. Collective.
-   [in] continuous - of StressMarkContinuous_Private(), or NULL */
+   [in] continuous - of StressMarkContinuous_Private(), or NULL; [in] volume - of all ranks */
 static PetscErrorCode StressDivide_Private(Level *level, const PetscBool continuous[], Vec stress, Vec volume)
 {
   const PetscReal *volumes;
   PetscReal       *sums;
 
   PetscFunctionBeginUser;
-  PetscCall(LevelShareVec(stress, ADD_VALUES));
-  PetscCall(LevelShareVec(volume, ADD_VALUES));
-  if (continuous) PetscCall(StressJoin_Private(level, continuous, STRESSES, stress));
-  if (continuous) PetscCall(StressJoin_Private(level, continuous, 1, volume));
+  PetscCall(StressSum_Private(level, continuous, STRESSES, stress));
   PetscCall(VecGetArrayRead(volume, &volumes));
   PetscCall(VecGetArray(stress, &sums));
   for (PetscInt a = 0; a < level->num_owned; a++) {
@@ -227,9 +243,119 @@ static PetscErrorCode StressDivide_Private(Level *level, const PetscBool continu
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The curved cells of order 2 of this rank. Collective.
+   [out] curved - [num_cells], owned by the caller; NULL where no rank has one */
+static PetscErrorCode StressFindCurved_Private(Scene scene, const Level *level, PetscBool **curved)
+{
+  PetscBool any = PETSC_FALSE;
+  PetscReal X[MAX_DIM * ELEMENT_MAX_NODES];
+
+  PetscFunctionBeginUser;
+  *curved = NULL;
+  for (PetscInt b = 0; b < scene->num_bodies; b++) any = (PetscBool)(any || scene->bodies[b].order == 2);
+  if (!any) PetscFunctionReturn(PETSC_SUCCESS);
+  any = PETSC_FALSE;
+  PetscCall(PetscMalloc1(level->num_cells + 1, curved)); // not NULL where a rank has no cells
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    const ElementType type = (ElementType)level->cell_type[c];
+
+    VectorGather(level->dim, ElementNumNodes(type), &level->cell_nodes[level->cell_start[c]], level->coords, X);
+    (*curved)[c] = (PetscBool)(ElementOrder(type) == 2 && !StressCellIsStraight(type, level->dim, X));
+    any          = (PetscBool)(any || (*curved)[c]);
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  if (!any) PetscCall(PetscFree(*curved));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds, to the nodes of a cell, what its linear functions lose of the quadratic stress there, times its
+   volume. [in] slopes - of StressCreateSlopes() */
+static void StressAddLost_Private(const Level *level, PetscInt c, const Recovery *recovery, const PetscScalar slopes[],
+                                  Sums *sums)
+{
+  const ElementRule *rule = &recovery->rule;
+  const PetscInt     dim = level->dim, n = ElementNumNodes(rule->type);
+  const PetscInt    *nodes = &level->cell_nodes[level->cell_start[c]];
+  PetscReal          stress[ELEMENT_MAX_NODES][STRESSES], lost[STRESSES], x[MAX_DIM];
+  StressQuadratic    quadratic;
+
+  if (!StressQuadraticSet(level, c, sums->at, slopes, &quadratic)) return;
+  for (PetscInt q = 0; q < rule->num; q++) {
+    (void)ElementRuleMap(rule, q, quadratic.X, x, NULL);
+    StressQuadraticEvaluate(&quadratic, x, PETSC_TRUE, stress[q]);
+  }
+  for (PetscInt i = 0; i < n; i++) {
+    const PetscInt at  = NodeMaterialsFind(sums->at, nodes[i], level->cell_material[c]);
+    PetscScalar   *sum = &sums->stress[at][nodes[i] * STRESSES];
+
+    StressQuadraticEvaluate(&quadratic, &quadratic.X[i * dim], PETSC_TRUE, lost);
+    for (PetscInt k = 0; k < STRESSES; k++) {
+      for (PetscInt q = 0; q < rule->num; q++) lost[k] -= recovery->spread[i * rule->num + q] * stress[q][k];
+      sum[k] += sums->cell[c] * lost[k];
+    }
+  }
+}
+
+/* The same in all curved cells of this rank. Collective. [in,out] lost - [stress->at.most] */
+static PetscErrorCode StressAddAllLost_Private(Level *level, const PetscBool curved[], const NodalStress *stress,
+                                               PetscReal cell[], Vec lost[])
+{
+  const PetscInt     most = stress->at.most;
+  Sums               sums = {.at = &stress->at, .cell = cell};
+  NodalStressArrays  arrays;
+  Recovery          *recoveries;
+  Vec                slopes;
+  const PetscScalar *slope;
+
+  PetscFunctionBeginUser;
+  PetscCall(NodalStressGetArrays(stress, &arrays));
+  PetscCall(StressCreateSlopes(level, &arrays, cell, &slopes));
+  PetscCall(NodalStressRestoreArrays(stress, &arrays));
+  PetscCall(PetscMalloc1(ELEMENT_COUNT, &recoveries));
+  for (PetscInt t = 0; t < ELEMENT_COUNT; t++) StressSetRecovery_Private((ElementType)t, NULL, &recoveries[t]);
+  PetscCall(PetscMalloc1(most, &sums.stress));
+  for (PetscInt i = 0; i < most; i++) PetscCall(GhostedGetArray(lost[i], &sums.stress[i]));
+  PetscCall(GhostedGetArrayRead(slopes, &slope));
+  for (PetscInt c = 0; c < level->num_cells; c++)
+    if (curved[c]) StressAddLost_Private(level, c, &recoveries[level->cell_type[c]], slope, &sums);
+  PetscCall(GhostedRestoreArrayRead(slopes, &slope));
+  for (PetscInt i = 0; i < most; i++) PetscCall(GhostedRestoreArray(lost[i], &sums.stress[i]));
+  PetscCall(PetscFree(sums.stress));
+  PetscCall(PetscFree(recoveries));
+  PetscCall(VecDestroy(&slopes));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the means of what linear functions of curved cells lose. Collective.
+   [in] continuous - of StressMarkContinuous_Private(); [in] volume - of all ranks [stress->at.most];
+   [in] cell - volumes */
+static PetscErrorCode StressMendCurved_Private(Scene scene, Level *level, const PetscBool continuous[],
+                                               const Vec volume[], PetscReal cell[], NodalStress *stress)
+{
+  PetscBool *curved;
+  Vec       *lost;
+
+  PetscFunctionBeginUser;
+  PetscCall(StressFindCurved_Private(scene, level, &curved));
+  if (!curved) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(stress->at.most, &lost));
+  for (PetscInt i = 0; i < stress->at.most; i++) PetscCall(LevelCreateVec(level, STRESSES, &lost[i]));
+  PetscCall(StressAddAllLost_Private(level, curved, stress, cell, lost));
+  for (PetscInt i = 0; i < stress->at.most; i++) {
+    PetscCall(StressDivide_Private(level, i ? NULL : continuous, lost[i], volume[i]));
+    PetscCall(VecAXPY(stress->value[i], 1, lost[i]));
+    PetscCall(LevelShareVec(stress->value[i], INSERT_VALUES));
+    PetscCall(VecDestroy(&lost[i]));
+  }
+  PetscCall(PetscFree(lost));
+  PetscCall(PetscFree(curved));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, NodalStress *stress)
 {
   PetscBool *continuous;
+  PetscReal *cell;
   Vec       *volume;
 
   PetscFunctionBeginUser;
@@ -237,15 +363,21 @@ PetscErrorCode StressCreate(Scene scene, Level *level, Vec u, NodalStress *stres
   PetscCall(StressMarkContinuous_Private(level, &stress->at, &continuous));
   PetscCall(PetscMalloc1(stress->at.most, &stress->value));
   PetscCall(PetscMalloc1(stress->at.most, &volume));
+  PetscCall(PetscMalloc1(level->num_cells, &cell));
   for (PetscInt i = 0; i < stress->at.most; i++) {
     PetscCall(LevelCreateVec(level, STRESSES, &stress->value[i]));
     PetscCall(LevelCreateVec(level, 1, &volume[i]));
   }
-  PetscCall(StressAddCells_Private(scene, level, u, stress, volume));
+  PetscCall(StressAddCells_Private(scene, level, u, stress, volume, cell));
   for (PetscInt i = 0; i < stress->at.most; i++) {
-    PetscCall(StressDivide_Private(level, i ? NULL : continuous, stress->value[i], volume[i])); // alone: the first
-    PetscCall(VecDestroy(&volume[i]));
+    const PetscBool *conform = i ? NULL : continuous; // alone: the first
+
+    PetscCall(StressSum_Private(level, conform, 1, volume[i]));
+    PetscCall(StressDivide_Private(level, conform, stress->value[i], volume[i]));
   }
+  PetscCall(StressMendCurved_Private(scene, level, continuous, volume, cell, stress));
+  for (PetscInt i = 0; i < stress->at.most; i++) PetscCall(VecDestroy(&volume[i]));
+  PetscCall(PetscFree(cell));
   PetscCall(PetscFree(volume));
   PetscCall(PetscFree(continuous));
   PetscFunctionReturn(PETSC_SUCCESS);

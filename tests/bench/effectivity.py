@@ -27,6 +27,9 @@ EXACT = {
     "manufactured, full contact": ("manufactured_full", BLOCKS, 2, 11),
     "manufactured, partial contact": ("manufactured_partial", BLOCKS, 2, 11),
     "rings": ("rings", RINGS, 2, 12),
+    "rings, kept": ("rings", f"{RINGS} -adapt_cells kept", 2, 12),
+    "tied rings, kept": ("../tests/adapt/tied_rings", "-adapt_cells kept", 2, 10),
+    "annulus, kept": ("../tests/adapt/annulus", "-ring_dm_plex_simplex 0 -adapt_cells kept", 2, 12),
     "annulus": ("../tests/adapt/annulus", "", 2, 12),
     "annulus, order 1": ("../tests/adapt/annulus", "", 1, 12),
 }
