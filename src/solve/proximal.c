@@ -38,6 +38,8 @@ enum { PROXIMAL_MAX_STEPS = 50 };
    for contacts, do not. */
 static const PetscReal SLOW_STEP = 0.1, WEIGHT_REDUCTION = 1e-2;
 enum { SEARCH_STEPS = 3, MAX_REDUCTIONS = 3 };
+/* With friction, two steps have one direction if this part of the later term is across the earlier one. */
+static const PetscReal OFF_DIRECTION = 1e-2;
 /* After these reductions bodies still slide if a step leaves more than this part of the term. */
 static const PetscReal STILL_SLIDES = 0.9;
 
@@ -51,6 +53,7 @@ PetscErrorCode ProximalBegin(VI vi, Solvability solvability, Proximal *proximal)
   PetscCall(VecDuplicate(vi->upper, &proximal->rest));
   PetscCall(VecDuplicate(vi->upper, &proximal->pull));
   PetscCall(VecDuplicate(vi->upper, &proximal->scale));
+  if (vi->friction) PetscCall(VecDuplicate(vi->upper, &proximal->before));
   PetscCall(VecDuplicate(vi->b, &proximal->solved.b));
   PetscCall(VecDuplicate(vi->upper, &proximal->solved.upper));
   PetscCall(VICreateRegularized(vi, solvability->regularization, &proximal->solved.A));
@@ -180,6 +183,15 @@ static PetscErrorCode ProximalMeasure_Private(Proximal *proximal, Vec y, PetscRe
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Forgets the step before, as the first step of all and the first one with another W do. */
+static PetscErrorCode ProximalForget_Private(Proximal *proximal)
+{
+  PetscFunctionBeginUser;
+  proximal->ratio = 0;
+  if (proximal->before) PetscCall(VecZeroEntries(proximal->before));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Scales W down. */
 static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes, PetscBool pdas)
 {
@@ -187,6 +199,7 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
 
   PetscFunctionBeginUser;
   proximal->num_reductions++;
+  PetscCall(ProximalForget_Private(proximal));
   PetscCall(VecCopy(w, proximal->pull));
   PetscCall(VecScale(w, WEIGHT_REDUCTION));
   PetscCall(VecAYPX(proximal->pull, -1, w));
@@ -203,6 +216,45 @@ static PetscErrorCode ProximalReduceWeight_Private(Proximal *proximal, SNES snes
   if (pdas && proximal->solved.vi->friction && proximal->num_reductions == MAX_REDUCTIONS)
     PetscCall(PDASSetFrictionCoupling(snes, PETSC_TRUE)); // of states that may slide on
   PetscCall(PetscInfo(snes, "the proximal term is scaled by %g\n", (double)WEIGHT_REDUCTION));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sets the ratio of the last two terms if both have one direction. It then holds for further steps, also for
+   those from a centre that is not the end of the step before. */
+static PetscErrorCode ProximalCompare_Private(Proximal *proximal)
+{
+  PetscScalar square, product, own;
+  PetscReal   ratio = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDot(proximal->before, proximal->before, &square));
+  PetscCall(VecDot(proximal->pull, proximal->before, &product));
+  PetscCall(VecDot(proximal->pull, proximal->pull, &own));
+  if (PetscRealPart(square) > 0) ratio = PetscRealPart(product) / PetscRealPart(square);
+  if (PetscRealPart(own) - ratio * PetscRealPart(product) > PetscSqr(OFF_DIRECTION) * PetscRealPart(own)) {
+    proximal->ratio = 0;
+  } else if (proximal->ratio == 0 && ratio > 0 && ratio <= SLOW_STEP) {
+    proximal->ratio = ratio;
+  }
+  PetscCall(VecCopy(proximal->pull, proximal->before));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The next centre is y. Where bodies slide on in one direction, it is the limit of the steps. */
+static PetscErrorCode ProximalAdvance_Private(Proximal *proximal, Vec y)
+{
+  Vec limit;
+
+  PetscFunctionBeginUser;
+  if (proximal->ratio == 0) {
+    PetscCall(ProximalSetCenter_Private(proximal, y));
+    PetscFunctionReturn(PETSC_SUCCESS);
+  }
+  PetscCall(VecDuplicate(y, &limit));
+  PetscCall(VecWAXPY(limit, -1, proximal->rest, y));
+  PetscCall(VecAYPX(limit, proximal->ratio / (1 - proximal->ratio), y));
+  PetscCall(ProximalSetCenter_Private(proximal, limit));
+  PetscCall(VecDestroy(&limit));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -246,7 +298,7 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
       snes, "proximal point step %" PetscInt_FMT ": the term is %g of the forces, the step %g of the solution\n",
       report->proximal_steps, (double)part, (double)way));
   /* the next step is smaller by the same factor as the term; the first one does not tell */
-  if (report->proximal_steps > 1) way *= part / proximal->last;
+  if (report->proximal_steps > 1) way *= PetscMax(part / proximal->last, proximal->ratio);
   if (proximal->loose > 0) PetscCall(PDASGetLinear(snes, NULL, &left, NULL));
   if (part <= proximal->tolerance && way <= STEP_RTOL && left <= LAW_RTOL) PetscFunctionReturn(PETSC_SUCCESS);
   limit = PetscMax(TERM_LIMIT, proximal->solvability->undecided);
@@ -258,12 +310,17 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   PetscCall(ProximalGiveUp_Private(proximal, part, report, &failed));
   if (failed) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscObjectTypeCompare((PetscObject)snes, SNESPDAS, &pdas));
+  if (report->proximal_steps == 1) {
+    PetscCall(ProximalForget_Private(proximal));
+  } else if (proximal->before) {
+    PetscCall(ProximalCompare_Private(proximal));
+  }
   if (report->proximal_steps >= SEARCH_STEPS && part > PetscMax(SLOW_STEP * proximal->last, limit) &&
       proximal->num_reductions < MAX_REDUCTIONS)
     PetscCall(ProximalReduceWeight_Private(proximal, snes, pdas));
   proximal->last = part;
   *done          = PETSC_FALSE;
-  PetscCall(ProximalSetCenter_Private(proximal, y));
+  PetscCall(ProximalAdvance_Private(proximal, y));
   if (pdas) {
     PetscCall(PDASGetActive(snes, &active));
     PetscCall(PDASSetStart(snes, active));
@@ -306,6 +363,7 @@ PetscErrorCode ProximalEnd(Proximal *proximal, Vec y)
   PetscCall(VecDestroy(&proximal->solved.b));
   PetscCall(VecDestroy(&proximal->rest));
   PetscCall(VecDestroy(&proximal->pull));
+  PetscCall(VecDestroy(&proximal->before));
   PetscCall(VecDestroy(&proximal->scale));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -17,6 +17,8 @@ typedef struct {
   PetscReal   tolerance;      /* tolerance for it */
   PetscReal   loose;          /* what the solve may leave of the law of friction; 0 for a solution */
   PetscInt    num_reductions; /* how often W was reduced */
+  Vec         before;         /* pull of the step before, with the same W; zero without one. NULL without friction */
+  PetscReal   ratio;          /* of pulls of successive steps in one direction; 0 if unknown */
 } Proximal;
 
 /* Creates what is to be solved, with the centre 0. Collective.
