@@ -32,13 +32,52 @@ def sampling(kind, order):
     return places, np.array([linear.at(node)[0] for node in shape.nodes])
 
 
+def slope_of(places):
+    """Rows [n][dim] that make of values at n places the slope of the linear function nearest to them."""
+    return np.linalg.pinv(places - places.mean(axis=0)).T
+
+
+def is_curved(body, places):
+    """Whether nodes of order 2 are off where the corners put them."""
+    shape = SHAPES[body.kind, body.order]
+    straight = np.array([SHAPES[body.kind, 1].at(node)[0] for node in shape.nodes]) @ places[:len(CORNERS[body.kind])]
+    return np.abs(places - straight).max() > 1e-9 * np.ptp(places, axis=0).max()
+
+
+def lost_stress(scene, body, sizes, stress):
+    """What linear functions of curved cells of order 2 lose at their nodes: cell -> tensors [node][3][3] (eq. 8.2a)."""
+    corners, where = len(CORNERS[body.kind]), [scene.points[body.first + cell] for cell in body.cells]
+    slopes, area = np.zeros((len(scene.points), 2, 3, 3)), np.zeros(len(scene.points))
+    for cell, size, places in zip(body.cells, sizes, where):
+        vertices = body.first + cell[:corners]
+        slopes[vertices] += size * np.einsum("nk,nij->kij", slope_of(places[:corners]), stress[vertices])
+        area[vertices] += size
+    slopes[area > 0] /= area[area > 0][:, None, None, None]
+    points, continuation = sampling(body.kind, body.order)
+    lost = {}
+    for c, (cell, places) in enumerate(zip(body.cells, where)):
+        if not is_curved(body, places):
+            continue
+        first = slopes[body.first + cell[:corners]]
+        second = np.einsum("nk,nlij->klij", slope_of(places[:corners]), first)
+
+        def quadratic(x, middle=places[:corners].mean(axis=0), first=first.mean(axis=0), second=second):
+            off = x - middle
+            return np.einsum("nl,lij->nij", off, first) + np.einsum("nk,nl,klij->nij", off, off, second) / 2
+
+        inner = np.array([SHAPES[body.kind, body.order].at(point)[0] for point in points]) @ places
+        lost[c] = quadratic(places) - np.einsum("np,pij->nij", continuation, quadratic(inner))
+    return lost
+
+
 def nodal_stress(scene, solution):
-    """Tensors [nodes][3][3]: of the cells around a node, averaged with their areas (eq. 8.2)."""
-    stress, area = np.zeros((len(scene.points), 3, 3)), np.zeros(len(scene.points))
-    for body in scene.bodies.values():
+    """Tensors [nodes][3][3]: of the cells around a node, averaged with their areas (eqs. 8.2, 8.2a)."""
+    stress, area, sizes = np.zeros((len(scene.points), 3, 3)), np.zeros(len(scene.points)), {}
+    for name, body in scene.bodies.items():
         places, continuation = sampling(body.kind, body.order)
-        for cell in body.cells:
-            nodes, size = body.first + cell, sum(weight * body.gradients(cell, at)[2] for at, weight in body.rule)
+        sizes[name] = [sum(weight * body.gradients(cell, at)[2] for at, weight in body.rule) for cell in body.cells]
+        for cell, size in zip(body.cells, sizes[name]):
+            nodes = body.first + cell
             s = np.zeros((len(places), 3, 3))
             pressures = []
             if len(body.pressures):
@@ -51,7 +90,13 @@ def nodal_stress(scene, solution):
                     s[p] += pressures @ body.functions(cell, body.gradients(cell, at)[0]) * np.eye(3)
             stress[nodes] += size * np.einsum("np,pij->nij", continuation, s)
             area[nodes] += size
-    return stress / area[:, None, None]
+    stress /= area[:, None, None]
+    means = stress.copy()
+    for name, body in scene.bodies.items():
+        for c, lost in (lost_stress(scene, body, sizes[name], means) if body.order == 2 else {}).items():
+            nodes = body.first + body.cells[c]
+            stress[nodes] += sizes[name][c] * lost / area[nodes][:, None, None]
+    return stress
 
 
 def write_fields(path, scene, solution):
