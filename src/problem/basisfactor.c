@@ -2,7 +2,7 @@
 #include "problem/basisfactor.h"
 #include "base/compat.h"
 
-PetscErrorCode MatRowsCreate(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
+PetscErrorCode BasisFactorCreateRows(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
 {
   const Mat    from[2] = {one, other};
   const int    parts   = other ? 2 : 1;
@@ -107,7 +107,7 @@ PetscErrorCode BasisFactorCreate(Mat E, BasisFactor *factor)
 
   PetscFunctionBeginUser;
   PetscCall(BasisFactorListRows_Private(E, &num, &rows));
-  PetscCall(MatRowsCreate(num, rows, E, NULL, &factor->few));
+  PetscCall(BasisFactorCreateRows(num, rows, E, NULL, &factor->few));
   PetscCall(MatGetOwnershipRange(E, &begin, NULL));
   for (PetscInt i = 0; i < num; i++) rows[i] -= begin;
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, rows, PETSC_OWN_POINTER, &factor->rows));

@@ -24,9 +24,9 @@ static PetscErrorCode CondensationMultiply_Private(Mat K, Mat before, const Basi
   PetscCall(PetscMalloc1(num, &number));
   for (PetscInt i = 0; i < num; i++) number[i] = begin + row[i];
   PetscCall(ISRestoreIndices(factor->rows, &row));
-  PetscCall(MatRowsCreate(num, number, K, NULL, &W));
+  PetscCall(BasisFactorCreateRows(num, number, K, NULL, &W));
   if (before) {
-    PetscCall(MatRowsCreate(num, number, before, NULL, &more));
+    PetscCall(BasisFactorCreateRows(num, number, before, NULL, &more));
     PetscCall(MatAXPY(W, 1, more, DIFFERENT_NONZERO_PATTERN));
     PetscCall(MatDestroy(&more));
   }
@@ -37,8 +37,8 @@ static PetscErrorCode CondensationMultiply_Private(Mat K, Mat before, const Basi
   PetscCall(MatDestroy(&KE));
   PetscCall(MatGetOwnershipRange(W, &begin, NULL));
   for (PetscInt i = 0; i < num; i++) number[i] = begin + i;
-  PetscCall(MatRowsCreate(num, number, factor->few, W, &left));
-  PetscCall(MatRowsCreate(num, number, W, factor->few, &right));
+  PetscCall(BasisFactorCreateRows(num, number, factor->few, W, &left));
+  PetscCall(BasisFactorCreateRows(num, number, W, factor->few, &right));
   PetscCall(TransposedProductCreate(left, right, Z)); // both terms at once
   PetscCall(MatDestroy(&left));
   PetscCall(MatDestroy(&right));
