@@ -1,6 +1,6 @@
 /* contactfacet.c -- one facet of a side: its nodes, a box around it, its size. */
 #include "base/compat.h"
-#include "contact/contactsurface.h"
+#include "contact/contactfacet.h"
 #include "kernel/vector.h"
 
 void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[])

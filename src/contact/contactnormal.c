@@ -7,7 +7,8 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "contact/obstacle.h"
-#include "contact/mortarintegrals.h"
+#include "contact/contactnormal.h"
+#include "contact/nodalnormals.h"
 #include "kernel/vector.h"
 #include "level/ghosted.h"
 

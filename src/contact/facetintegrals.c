@@ -9,7 +9,6 @@
 #include "contact/leverarm.h"
 #include "contact/facetintegrals.h"
 #include "contact/leastgap.h"
-#include "contact/overlap.h"
 #include "contact/smoothgap.h"
 
 /* Covered shares of a facet below it count as zero, those above one less it as one. */

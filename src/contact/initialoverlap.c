@@ -6,8 +6,8 @@
 #include "kernel/boxtree.h"
 #include "base/compat.h"
 #include "side/insidebody.h"
-#include "contact/pairassembly.h"
-#include "contact/contactsurface.h"
+#include "contact/contactfacet.h"
+#include "contact/initialoverlap.h"
 
 /* A node counts if points around it, at this share of the reach, are inside as well. This omits the small
    overlaps of polygons and of interference fits. The reach is at least three facets. */

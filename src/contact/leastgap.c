@@ -6,7 +6,7 @@
    quadrature. */
 #include "contact/leastgap.h"
 #include "base/compat.h"
-#include "contact/overlap.h"
+#include "contact/overlappoints.h"
 #include "kernel/disjointsets.h"
 #include "kernel/frame.h"
 #include "kernel/rise.h"

@@ -8,7 +8,8 @@
    as the reach and hardly wider than the facet. A box around an inclined tube would contain more and more
    facets as these get smaller; slabs along and across the tube do not. */
 #include "base/compat.h"
-#include "contact/contactsurface.h"
+#include "contact/contactfacet.h"
+#include "contact/mortarsurface.h"
 #include "kernel/frame.h"
 #include "kernel/rise.h"
 #include "kernel/vector.h"
@@ -426,5 +427,27 @@ PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, co
     }
   }
   PetscCall(BoxTreeQuerySlabs(surface->tree, box, num_slabs, slabs, num_hits, hits));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const PetscInt nodes[], PetscReal values[])
+{
+  IS                 from;
+  Vec                here;
+  VecScatter         scatter;
+  const PetscScalar *value;
+
+  PetscFunctionBeginUser;
+  PetscCall(ISCreateBlock(PETSC_COMM_SELF, dim, num, nodes, PETSC_USE_POINTER, &from));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num * dim, &here));
+  PetscCall(VecScatterCreate(u, from, here, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, u, here, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, u, here, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(here, &value));
+  for (PetscInt i = 0; i < num * dim; i++) values[i] = PetscRealPart(value[i]);
+  PetscCall(VecRestoreArrayRead(here, &value));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(VecDestroy(&here));
+  PetscCall(ISDestroy(&from));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -7,7 +7,7 @@
 #include "base/compat.h"
 #include "base/usererror.h"
 #include "kernel/frame.h"
-#include "contact/pairassembly.h"
+#include "contact/multiplierstatus.h"
 #include "kernel/vector.h"
 #include "level/ghosted.h"
 

@@ -5,7 +5,8 @@
 #include "base/compat.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
-#include "contact/mortarintegrals.h"
+#include "contact/contactfacet.h"
+#include "contact/nodalnormals.h"
 #include "level/ghosted.h"
 
 /* Facets of a smooth side deviate from the normal at their node by less than half of 44 degrees. */

@@ -14,9 +14,4 @@ typedef struct {
 
 extern const Overlap OVERLAP_LINES, OVERLAP_POLYGONS;
 
-/* A facet of the mortar side. */
-ClipFacet OverlapPointsMortarFacet(const FacetPartner *partner, PetscInt f);
-/* Whether a given gap is not constant, or gaps of curves are measured. */
-PetscBool OverlapPointsGapVaries(const FacetPartner *partner);
-
 #endif

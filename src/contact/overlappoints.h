@@ -3,7 +3,8 @@
 #define MORTISE_OVERLAPPOINTS_H
 
 #include "kernel/clip.h"
-#include "contact/contactsurface.h"
+#include "contact/contactfacet.h"
+#include "contact/mortarsurface.h"
 
 /* The partner of a facet. */
 typedef struct {
@@ -25,6 +26,11 @@ typedef struct {
   PetscInt  *facet;
   ClipPoint *work; /* points of one mortar facet */
 } OverlapPoints;
+
+/* A facet of the mortar side. */
+ClipFacet OverlapPointsMortarFacet(const FacetPartner *partner, PetscInt f);
+/* Whether a given gap is not constant, or gaps of curves are measured. */
+PetscBool OverlapPointsGapVaries(const FacetPartner *partner);
 
 /* An empty list for facets of a dimension. Not collective. [out] list - owned by the caller */
 PetscErrorCode OverlapPointsCreate(PetscInt dim, OverlapPoints *list);

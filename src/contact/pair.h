@@ -57,23 +57,6 @@ struct _n_Pair {
 };
 typedef struct _n_Pair *Pair;
 
-/* Searches and integrates all pairs of the scene, and decides which nodes have multipliers. A node has none
-   where its normal direction is fixed, or where an earlier pair constrains nearly the same direction; these
-   rows are redistributed. User errors: an initial overlap outside a given reach; a pair without a node
-   because earlier pairs have all of them. Collective.
-   [out] pairs - [scene->num_pairs], each owned by the caller */
-PetscErrorCode PairsCreate(Scene scene, Level *level, const Support *support, Pair pairs[]);
-/* Integrates gaps anew after a change of formulas or offsets, with the same reach. Collective.
-   [in,out] pairs - their gaps;
-   [out] same - false where other nodes would have multipliers: then pairs are unchanged */
-PetscErrorCode PairsUpdateGaps(Scene scene, Level *level, const Support *support, Pair pairs[], PetscBool *same);
-/* Nodes that a support holds along their partner, and that slide: the mortar side is free there, or supports
-   move the two sides along each other. Friction has no unknown there. Collective. [out] slides - [num] */
-PetscErrorCode PairFindSliding(const Pair pair, const Support *support, PetscBool slides[]);
-/* Whether supports now move nodes along their partners that they did not when the pairs were created: other
-   nodes would have multipliers then. Collective. */
-PetscErrorCode PairsSlideElsewhere(Level *level, const Support *support, PetscInt num, const Pair pairs[],
-                                   PetscBool *elsewhere);
 /* Collective. */
 PetscErrorCode PairDestroy(Pair *pair);
 

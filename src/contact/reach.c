@@ -5,7 +5,9 @@
    (reachcheck.h). */
 #include "base/compat.h"
 #include "base/usererror.h"
-#include "contact/pairassembly.h"
+#include "contact/contactfacet.h"
+#include "contact/initialoverlap.h"
+#include "contact/reach.h"
 
 /* Facets within this many facet sizes of the other side are candidates ... */
 static const PetscReal REACH_FACETS = 3;

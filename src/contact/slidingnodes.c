@@ -217,3 +217,30 @@ PetscErrorCode SlidingNodesRemove(Level *level, const Support *support, const Fa
   PetscCall(VecDestroy(&marks));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode SlidingNodesOfPair(const Pair pair, const Support *support, PetscBool slides[])
+{
+  PetscFunctionBeginUser;
+  PetscCall(SlidingNodesFind(pair->level, support, pair->M, pair->num, pair->nodes, pair->D, slides));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode SlidingNodesElsewhere(Level *level, const Support *support, PetscInt num, const Pair pairs[],
+                                     PetscBool *elsewhere)
+{
+  PetscFunctionBeginUser;
+  *elsewhere = PETSC_FALSE;
+  for (PetscInt p = 0; p < num; p++) {
+    const Pair pair = pairs[p];
+    PetscBool *slides;
+
+    if (!ScenePairHasFriction(pair->spec)) continue;
+    PetscCall(PetscMalloc1(pair->num, &slides));
+    PetscCall(SlidingNodesOfPair(pair, support, slides));
+    for (PetscInt a = 0; a < pair->num; a++)
+      if (slides[a] && !pair->slides[a]) *elsewhere = PETSC_TRUE;
+    PetscCall(PetscFree(slides));
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, elsewhere, 1, MPIU_BOOL, MPI_LOR, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

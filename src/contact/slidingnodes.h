@@ -2,6 +2,7 @@
 #ifndef MORTISE_SLIDINGNODES_H
 #define MORTISE_SLIDINGNODES_H
 
+#include "contact/pair.h"
 #include "contact/redistribution.h"
 
 /* Nodes of a nonmortar side that a support holds along its partner, and that slide. Either the mortar side is
@@ -22,5 +23,12 @@ PetscErrorCode SlidingNodesFindEver(Level *level, const Support *support, Mat M,
    [in] sums - before RedistributionApply(); [in,out] status - of every local node [num_nodes] */
 PetscErrorCode SlidingNodesRemove(Level *level, const Support *support, const Facets *facets,
                                   const MortarIntegrals *sums, MultiplierStatus status[]);
+
+/* SlidingNodesFind() of a pair. Friction has no unknown there. Collective. [out] slides - [pair->num] */
+PetscErrorCode SlidingNodesOfPair(const Pair pair, const Support *support, PetscBool slides[]);
+/* Whether supports now move nodes along their partners that they did not when the pairs were created: other
+   nodes would have multipliers then. Collective. */
+PetscErrorCode SlidingNodesElsewhere(Level *level, const Support *support, PetscInt num, const Pair pairs[],
+                                     PetscBool *elsewhere);
 
 #endif

@@ -3,6 +3,8 @@
    Stages: supports and pairs (mortar), K and f (assembly), B, T, A and bounds (condense). Fixed unknowns are
    eliminated from A here, so that a solver sees inequalities only. */
 #include "base/compat.h"
+#include "contact/pairs.h"
+#include "contact/slidingnodes.h"
 #include "problem/elasticity.h"
 #include "base/log.h"
 #include "problem/vi.h"
@@ -263,7 +265,7 @@ PetscErrorCode VIUpdate(VI vi, int changed, PetscBool *updated)
     PetscBool elsewhere;
 
     PetscCall(SupportUpdate(vi->level, vi->scene, &vi->support));
-    PetscCall(PairsSlideElsewhere(vi->level, &vi->support, vi->num_pairs, vi->pairs, &elsewhere));
+    PetscCall(SlidingNodesElsewhere(vi->level, &vi->support, vi->num_pairs, vi->pairs, &elsewhere));
     *updated = (PetscBool)!elsewhere;
   }
   if (*updated && changed & DATUM_GAP)

@@ -4,6 +4,7 @@
    the slip. The rows of a node stand one behind the other, the normal one first; the nodes with tangents are
    those of vi->friction. */
 #include "base/compat.h"
+#include "contact/slidingnodes.h"
 #include "kernel/vector.h"
 #include "problem/frictionlaw.h"
 #include "result/frictionfields.h"
@@ -165,7 +166,7 @@ PetscErrorCode FrictionFieldsFindHeld(Fields fields, PetscInt p, PetscInt *num, 
   *num = 0;
   if (!ScenePairHasFriction(pair->spec)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscMalloc1(pair->num, &slides));
-  PetscCall(PairFindSliding(pair, &vi->support, slides));
+  PetscCall(SlidingNodesOfPair(pair, &vi->support, slides));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
     areas[1] += fields->row_weight[r];

@@ -4,7 +4,8 @@
    their names; times are of the processor, of the rank that takes longest, and memory is that of the rank that holds most. */
 #include "contact/mortarintegrals.h"
 #include "base/compat.h"
-#include "contact/pair.h"
+#include "contact/nodalnormals.h"
+#include "contact/pairs.h"
 #include <time.h>
 
 static const double MEGA = 1048576.0;

@@ -1,5 +1,6 @@
 /* test_pair.c -- D, M and gap of a pair: exact numbers, row sums, reproduction, slivers, curved sides, on any number of
    ranks. */
+#include "contact/pairs.h"
 #include "test.h"
 #include "two_boxes.h"
 

@@ -1,5 +1,6 @@
 /* test_search.c -- the mortar facets that reach a rank: all that its facets may meet, each once, and not the whole side. */
-#include "contact/contactsurface.h"
+#include "contact/contactfacet.h"
+#include "contact/mortarsurface.h"
 #include "test.h"
 #include "base/compat.h"
 #include "kernel/frame.h"

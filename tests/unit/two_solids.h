@@ -2,6 +2,7 @@
 #ifndef TEST_TWO_SOLIDS_H
 #define TEST_TWO_SOLIDS_H
 
+#include "contact/pairs.h"
 #include "two_boxes.h"
 
 enum { DIM = 3 };

@@ -1,15 +1,11 @@
-/* contactsurface.h -- the two sides of a pair as plain arrays. */
-#ifndef MORTISE_CONTACTSURFACE_H
-#define MORTISE_CONTACTSURFACE_H
+/* mortarsurface.h -- the mortar facets that may meet the nonmortar facets of this rank, as plain arrays. */
+#ifndef MORTISE_MORTARSURFACE_H
+#define MORTISE_MORTARSURFACE_H
 
 #include "kernel/boxtree.h"
 #include "kernel/clip.h"
 #include "level/level.h"
 #include "side/sideshape.h"
-
-/* Largest cosine between the normals of two facets that face each other: an angle above 107 degrees. The same
-   holds for a facet's normal and a ray that meets it. */
-static const PetscReal FACING = -0.3;
 
 /* The mortar facets of all ranks that may meet this rank's nonmortar facets, with a box tree. Their order
    depends on the partition; queries return ascending indices. */
@@ -46,16 +42,5 @@ PetscErrorCode MortarSurfaceFetch(Vec u, PetscInt dim, PetscInt num, const Petsc
    [num_hits] */
 PetscErrorCode MortarSurfaceQuery(const MortarSurface *surface, PetscInt dim, const ClipFacet *facet, PetscReal reach,
                                   PetscInt *num_hits, const PetscInt *hits[]);
-
-/* Coordinates of a facet's nodes, [num_nodes][dim]. Not collective. */
-void ContactFacetCoordinates(const Level *level, const Facets *facets, PetscInt f, PetscReal X[]);
-/* The Bezier points of a facet, whose convex hull contains it, curved or not; and a box that contains it. The
-   same holds for any field that is interpolated at its nodes. Not collective.
-   [in] X - [num_nodes][dim]; [out] hull - [num_nodes][dim];
-   [out] box - lower, upper corner [2][dim] */
-void ContactFacetHull(PetscInt dim, ElementType type, const PetscReal X[], PetscReal hull[]);
-void ContactFacetBox(PetscInt dim, ElementType type, const PetscReal X[], PetscReal box[]);
-/* The longest edge of all facets of a side. Collective. */
-PetscErrorCode ContactFacetMaxSize(const Level *level, const Facets *facets, PetscReal *size);
 
 #endif
