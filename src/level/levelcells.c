@@ -172,7 +172,7 @@ static PetscErrorCode BodyRaiseFold_Private(const Level *level, const SceneBody 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Before maps every body has one orientation (box.c, fileextract.c), and refinement keeps it except along
+/* Before maps every body has one orientation (box.c, bodyfile.c), and refinement keeps it except along
    curves that do not fit a cell. So a map may reverse a whole body; if it reverses only some cells it has
    folded the body. */
 PetscErrorCode LevelTurnCells(Level *level, PetscBool *sound)

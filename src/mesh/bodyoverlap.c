@@ -4,14 +4,15 @@
    detects the overlap; a pair treats it as an interference fit. Points of the boundary of one body, with the
    middles of facets, are searched inside the other. Bodies whose boxes do not overlap need no search. Round
    sides that fit overlap by the rise of their curves over facets. */
+#include "base/compat.h"
+#include "base/warning.h"
 #include "kernel/arc.h"
 #include "kernel/boxtree.h"
 #include "kernel/closest.h"
-#include "base/compat.h"
-#include "base/warning.h"
 #include "kernel/vector.h"
+#include "level/plexpoints.h"
+#include "mesh/bodyoverlap.h"
 #include "side/insidebody.h"
-#include "mesh/meshimpl.h"
 #include "side/sideshape.h"
 
 /* An interference above this part of the smallest extent of a body exceeds small strains. */

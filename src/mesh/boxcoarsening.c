@@ -3,8 +3,9 @@
    A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. So scenes of boxes have coarser
    levels without -dm_refine, where solvers use them. For few ranks the levels, and so the iterations, do not
    depend on the number of ranks. */
-#include "mesh/meshimpl.h"
 #include "base/compat.h"
+#include "mesh/boxcoarsening.h"
+#include "mesh/mesh.h"
 
 enum {
   COARSEST_UNKNOWNS = 800, /* with fewer there is one more level, and the factorization is hardly cheaper */

@@ -3,9 +3,16 @@
    Neighbouring bricks form blocks, so few that the first rank can partition them as it does other meshes.
    Then each rank makes the bricks of its blocks. All ranks know which ranks have a vertex, an edge or a
    facet: the highest of them owns it. (DMPlexInterpolatePointSF() of PETSc 3.18 misses facets of solids.) */
-#include "mesh/fileparts.h"
 #include "base/compat.h"
 #include "base/usererror.h"
+#include "bodies/bodylist.h"
+#include "bodies/bodymerge.h"
+#include "bodies/box.h"
+#include "mesh/boxcoarsening.h"
+#include "level/plexpoints.h"
+#include "mesh/boxparts.h"
+#include "partition/partition.h"
+#include "partition/plexjoin.h"
 #include <petscsf.h>
 
 enum {

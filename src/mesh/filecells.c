@@ -1,6 +1,7 @@
 /* filecells.c -- the cells of a rank's part of the mesh files: their bodies, materials and middles. */
-#include "mesh/fileparts.h"
 #include "base/compat.h"
+#include "bodies/cellmeasure.h"
+#include "mesh/filecells.h"
 #include <petscsf.h>
 
 /* The numbers of the physical groups of a name, or of several joined with '+'. */

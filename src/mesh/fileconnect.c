@@ -2,9 +2,10 @@
 
    Facets of cells, and facets of a file in a group, are sent to the rank that is responsible for their lowest
    point. Facets with the same corners are matched there. */
-#include "level/exchange.h"
-#include "mesh/fileparts.h"
 #include "base/compat.h"
+#include "level/exchange.h"
+#include "mesh/filecells.h"
+#include "mesh/fileconnect.h"
 #include <stdlib.h>
 
 enum { CORNERS = 4, NO_CELL = -1, OF_NO_BODY = -2 };

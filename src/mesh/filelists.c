@@ -1,7 +1,14 @@
 /* filelists.c -- sends cells to their ranks, and makes the lists of bodies there. */
-#include "level/exchange.h"
-#include "mesh/fileparts.h"
 #include "base/compat.h"
+#include "bodies/bodylist.h"
+#include "bodies/cellmeasure.h"
+#include "bodies/cellmiddles.h"
+#include "level/exchange.h"
+#include "level/facets.h"
+#include "level/leveltables.h"
+#include "mesh/filecells.h"
+#include "mesh/fileconnect.h"
+#include "mesh/filelists.h"
 
 /* Numbers of a cell that is sent: body, material, type, nodes of the file, sense, nodes, groups. */
 enum { HEAD = 5 };

@@ -1,7 +1,13 @@
 /* fileparting.c -- the ranks of cells of files. The first rank gathers the facets that may touch. If the mesh
    is not large it also gathers the graph of all cells, and partitions it by METIS. */
-#include "mesh/fileparts.h"
 #include "base/compat.h"
+#include "level/facets.h"
+#include "mesh/filecells.h"
+#include "mesh/fileconnect.h"
+#include "mesh/fileparting.h"
+#include "mesh/graphparallel.h"
+#include "partition/cellgraph.h"
+#include "partition/graphcut.h"
 #include <petscsf.h>
 
 enum { CORNERS = 4 };

@@ -1,7 +1,14 @@
 /* fileparts.c -- the mesh of files of many cells, made by all ranks: read in parts, connected, partitioned,
    redistributed, and joined. */
-#include "mesh/fileparts.h"
 #include "base/compat.h"
+#include "bodies/bodylist.h"
+#include "bodies/bodymerge.h"
+#include "mesh/filecells.h"
+#include "mesh/fileconnect.h"
+#include "mesh/filelists.h"
+#include "mesh/fileparting.h"
+#include "mesh/fileparts.h"
+#include "partition/plexjoin.h"
 #include <string.h>
 
 const FileLimits FILE_LIMITS = {.parts = 4096, .parallel = 200000};

@@ -1,79 +1,17 @@
-/* fileparts.h -- mesh files of many cells, distributed from the beginning. Private to this module.
-
-   A rank reads some cells of the files in their order (FileCells) and finds their neighbours. Cells are
-   partitioned and sent to their ranks. The received ones become lists (BodyList), and MeshMerge() makes a DM
-   of these. Nothing is reported here. In case of any mistake or doubt the first rank makes the mesh instead,
-   reports mistakes and warns. Points are numbered over all files. */
+/* fileparts.h -- the mesh of all files, made by parts. */
 #ifndef MORTISE_FILEPARTS_H
 #define MORTISE_FILEPARTS_H
 
-#include "gmsh/gmshpart.h"
-#include "mesh/meshimpl.h"
+#include "mesh/fileparting.h"
+#include "refinement/curves.h"
 
-enum { FILE_FACETS = 6 }; /* of a cell, at most */
-
-/* The files of a scene. */
-typedef struct {
-  MPI_Comm    comm;
-  PetscMPIInt rank, size;
-  PetscInt    dim, num, num_points; /* of files, of all their points */
-  GmshPart   *part;                 /* [num] */
-  GmshNames  *names;                /* [num] */
-  PetscInt   *first_point;          /* [num+1] */
-  PetscInt   *of_body;              /* file of each body [scene->num_bodies] */
-} Files;
-
-/* Positions of some points. Collective. [in] points - [num]; [out] x - [num][3] */
-PetscErrorCode FilesGetPoints(const Files *files, PetscInt num, const PetscInt points[], PetscReal x[]);
-
-/* Cells of this rank. Facets are in the order of ElementFacetNodes(). */
-typedef struct {
-  PetscInt   num, first, total; /* of this rank; number of its first; of all ranks */
-  PetscInt   max_nodes, order;  /* of any cell of any rank; of all cells */
-  PetscInt  *body, *material;   /* [num] */
-  PetscInt  *type, *file_nodes; /* ElementType; how many of its nodes the file has [num] */
-  PetscInt  *nodes;             /* points [num][max_nodes] */
-  PetscInt  *reversed;          /* whether a cell is inside out [num] */
-  PetscInt  *neighbour;         /* cell across each facet, -1 for none [num][FILE_FACETS] */
-  PetscInt  *group, *group_end; /* its physical groups, in files->part[].mesh.group [num][FILE_FACETS] */
-  PetscReal *middle, *distance; /* of corners [num][3]; from the middle of the neighbour [num][FILE_FACETS] */
-} FileCells;
-
-PetscErrorCode FileCellsAllocate(PetscInt num, PetscInt max_nodes, FileCells *cells);
-PetscErrorCode FileCellsDestroy(FileCells *cells);
-/* The cells of all bodies. Collective.
-   [in,out] good - becomes false where parts cannot be joined; the same on all ranks */
-PetscErrorCode FileCellsCreate(Scene scene, const Files *files, FileCells *cells, PetscBool *good);
-/* Finds neighbours and groups of facets. Collective. [in,out] good */
-PetscErrorCode FileCellsConnect(const Files *files, FileCells *cells, PetscBool *good);
-/* Whether a facet is of a side. */
-PetscBool FileCellsHasSide(const Files *files, const FileCells *cells, PetscInt cell, PetscInt facet, PetscInt tag);
-
-/* The rank of each cell. Collective. [in] refine - how often the mesh will be; [out] part - [cells->num] */
-PetscErrorCode FileCellsPart(Scene scene, const Files *files, const FileCells *cells, const FileLimits *limits,
-                             PetscInt refine, PetscInt part[]);
-/* Whether there is a library that partitions a graph on all ranks. */
-PetscBool GraphHasParallel(void);
-/* Partitions the graph of all cells. Collective.
-   [in] graph - edges of all cells, each on any one rank; [out] part - [cells->num] */
-PetscErrorCode GraphCutParallel(Scene scene, const Files *files, const FileCells *cells, const CellGraph *graph,
-                                PetscInt part[]);
-
-/* Sends cells to their ranks, and replaces them by the received ones. Collective. */
-PetscErrorCode FileCellsMove(const Files *files, const PetscInt part[], FileCells *cells);
-/* The lists of this rank's cells, each with its vertices in ascending order. Collective.
-   [out] ids - of the vertices of all lists: that of point p of body b is b files->num_points + p; freed by
-   the caller */
-PetscErrorCode FileListsCreate(Scene scene, const Files *files, const FileCells *cells, const SideNames names[],
-                               BodyList lists[], PetscInt **ids);
-
-/* Joins the parts of all ranks. Collective.
-   [in] ids - of the DM's vertices, ascending, below num_ids: the same on all ranks */
-PetscErrorCode PlexJoin(DM dm, PetscInt num_ids, const PetscInt ids[]);
-/* Orients edges and facets of several ranks from their vertex of the lowest number towards the lower
-   neighbour: refinement depends on their orientation. Ranks have vertices in the same order. Collective. */
-PetscErrorCode PlexOrientShared(DM dm, PetscInt dim);
-/* Number of sets of cells that are joined facet by facet, on all ranks. Collective. */
-PetscErrorCode PlexCountComponents(DM dm, PetscInt *num);
+extern const FileLimits FILE_LIMITS;
+/* Whether mesh files may be read and partitioned by all ranks. */
+PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
+/* The mesh of all files, made by parts. Collective.
+   [in] refine - number of later refinements; [out] good - false without a mesh: files have few cells, errors,
+   or a reason for a warning */
+PetscErrorCode FilePartsCreate(Scene scene, const FileLimits *limits, PetscInt refine, DM *dm, Curves *curves,
+                               PetscBool *good);
 
 #endif

@@ -1,6 +1,12 @@
 /* forest.c -- the cells of a body under bisection, or under splitting. */
-#include "mesh/forest.h"
 #include "base/compat.h"
+#include "bodies/bodylist.h"
+#include "level/leveltables.h"
+#include "mesh/forest.h"
+#include "mesh/hungnodes.h"
+#include "mesh/meshforest.h"
+#include "mesh/tree.h"
+#include "mesh/treearcs.h"
 
 /* Largest number of bisections of a tangled cell. Each halving of a curved edge leaves a quarter of its rise;
    long thin cells along a circle need more than three. */
@@ -79,20 +85,6 @@ static PetscErrorCode TreeListFacets_Private(const Tree *tree, BodyList *list)
     }
   }
   list->num_facets = num;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode BodyListMapVertices(const BodyList *list, const SceneBody *body, PetscReal coords[])
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscArraycpy(coords, list->coords, list->num_vertices * list->dim));
-  for (PetscInt v = 0; v < list->num_vertices && body->map; v++) {
-    PetscReal x[3];
-    PetscBool finite;
-
-    PetscCall(ExpressionTry(body->map, list->dim, &list->coords[v * list->dim], x, &finite));
-    if (finite) PetscCall(PetscArraycpy(&coords[v * list->dim], x, list->dim));
-  }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -228,11 +220,6 @@ PetscErrorCode TreeDestroy(Tree *tree)
   PetscCall(PetscFree2(tree->side, tree->another));
   PetscCall(PetscFree(tree->before));
   PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscBool TreeIsKept(const Tree *tree)
-{
-  return (PetscBool)(tree->mesh.corners > tree->mesh.dim + 1);
 }
 
 /* A cell and its parent: vertices of both in the order of their elements, and those of the parent in the

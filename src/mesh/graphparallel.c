@@ -2,12 +2,16 @@
 
    PT-Scotch or ParMETIS, whichever PETSc has. PT-Scotch takes one weight for a cell: contact is not balanced
    separately, as by METIS. Parts have no correction for nodes between them. */
-#define _GNU_SOURCE // RTLD_DEFAULT
-#include "level/exchange.h"
-#include "mesh/fileparts.h"
 #include "base/compat.h"
+#include "level/exchange.h"
+#include "mesh/filecells.h"
+#include "mesh/graphparallel.h"
+#include "partition/cellgraph.h"
+#include "partition/partitionweights.h"
 #include <dlfcn.h>
 #include <petscmat.h>
+
+#define _GNU_SOURCE // RTLD_DEFAULT
 
 #if defined(PETSC_HAVE_PTSCOTCH)
 static const char *const ParallelType = MATPARTITIONINGPTSCOTCH;

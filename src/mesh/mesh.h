@@ -61,6 +61,8 @@ PetscBool MeshCanAdapt(Mesh mesh);
 PetscBool MeshIsCut(Mesh mesh, PetscInt body);
 /* The level that is solved on. Not collective. Borrowed from the mesh */
 Level *MeshFinest(Mesh mesh);
+/* Destroys all levels. Collective. */
+PetscErrorCode MeshClear(Mesh mesh);
 /* Collective. */
 PetscErrorCode MeshDestroy(Mesh *mesh);
 

@@ -9,10 +9,11 @@
    determines. Pairs are decided in sequence, those with the strongest reasons first. Each gets its preferred
    choice, unless that closes a cycle with earlier decisions. If neither choice is possible, the last free
    decision is taken back. The result depends on this order alone. */
-#include "mesh/meshimpl.h"
-#include "side/sidemeasure.h"
 #include "base/compat.h"
 #include "base/usererror.h"
+#include "mesh/mesh.h"
+#include "mesh/mortarchoice.h"
+#include "side/sidemeasure.h"
 #include <string.h>
 
 /* Largest number of decisions: for each pair, and at least. */

@@ -5,13 +5,21 @@
    edges. On circles, spheres and cylinders both are exact for any sequence of
    bisections. Facets of a file of second order that are not on arcs have the surface of (4.5a) instead. Flat
    sides stay exactly flat. */
-#include "kernel/arc.h"
-#include "kernel/vector.h"
-#include "mesh/forest.h"
 #include "base/compat.h"
+#include "bodies/bodylist.h"
+#include "bodies/cellmiddles.h"
+#include "bodies/curvedfile.h"
+#include "bodies/plexlist.h"
+#include "kernel/arc.h"
 #include "kernel/frame.h"
+#include "kernel/vector.h"
+#include "level/leveltables.h"
+#include "level/plexpoints.h"
+#include "mesh/tree.h"
+#include "mesh/treearcs.h"
 #include "refinement/arcsums.h"
 #include "refinement/filearcs.h"
+#include "refinement/levelrefine.h"
 #include <string.h>
 
 enum { F = ELEMENT_MAX_FACET_NODES };

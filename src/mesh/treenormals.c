@@ -3,8 +3,10 @@
    New vertices lie on the curves of the first mesh's normals, and have the normals of these (treearcs.c).
    Facets of a bisected mesh are less regular than those of a file. Means over them are less accurate, above
    all where a side ends. */
-#include "mesh/treenormals.h"
 #include "base/compat.h"
+#include "mesh/meshforest.h"
+#include "mesh/tree.h"
+#include "mesh/treenormals.h"
 #include "side/arcnormals.h"
 
 /* The normals of a vertex of a list, each once.

@@ -3,7 +3,12 @@
 
    What the scene asks of the file are the bits of the file's last byte, which is no part of any section. */
 #define _GNU_SOURCE
-#include "mesh/meshimpl.h"
+#include "bodies/bodylist.h"
+#include "bodies/gmshplex.h"
+#include "gmsh/gmsh.h"
+#include "level/level.h"
+#include "mesh/mesh.h"
+#include "refinement/curves.h"
 #include "support/support.h"
 #include "fuzz.h"
 #include <sys/stat.h>

@@ -3,7 +3,9 @@
    Changed bytes end in the reader. Meshes reach what lies behind it: a file that can be read becomes a list of nodes and
    elements. One or a few of these are changed. The list is written again in any of the four formats (2.2 and 4.1, text and
    binary). Other files, and every third of these, are changed as texts or as bytes. */
-#include "mesh/meshimpl.h"
+#include "bodies/bodylist.h"
+#include "gmsh/gmsh.h"
+#include "gmsh/gmshtype.h"
 #include "mutate.h"
 #include <stdio.h>
 #include <string.h>

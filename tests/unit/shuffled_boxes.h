@@ -2,6 +2,8 @@
 #ifndef MORTISE_SHUFFLED_BOXES_H
 #define MORTISE_SHUFFLED_BOXES_H
 
+#include "bodies/box.h"
+#include "bodies/plexlist.h"
 #include "solid_scene.h"
 
 /* The same numbers everywhere. */

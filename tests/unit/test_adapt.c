@@ -1,5 +1,6 @@
 /* test_adapt.c -- levels by bisection and by splitting: sides, prolongation and numbers, on any number of ranks. */
-#include "mesh/meshimpl.h"
+#include "level/level.h"
+#include "mesh/mesh.h"
 #include "mesh_scene.h"
 #include <math.h>
 #include <stdint.h>

@@ -2,7 +2,16 @@
    Nodes, cells, sides and curves agree, on the mesh and on its refinement. What is to be told about a file is
    left to the first rank. */
 #include "base/compat.h"
-#include "mesh/meshimpl.h"
+#include "bodies/cellmeasure.h"
+#include "level/facets.h"
+#include "level/level.h"
+#include "level/leveltables.h"
+#include "mesh/bodycurves.h"
+#include "mesh/fileparting.h"
+#include "mesh/fileparts.h"
+#include "mesh/mesh.h"
+#include "refinement/curves.h"
+#include "refinement/levelrefine.h"
 #include "solid_scene.h"
 
 enum { NUM_SUMS = 40 };
@@ -93,7 +102,7 @@ static void TestSame(PetscInt dim, const char file[], PetscInt order, const char
   CHECK(!PetscMalloc1(1, &own.levels));
   CHECK(!LevelCreateFromPlex(&t.scene, dm, &curves, &own.levels[0]));
   CHECK(!LevelBeginArcs(&own.levels[0]));
-  CHECK(!MeshShapeCreate(&own, &curves));
+  CHECK(!MeshShapeCreate(&t.scene, &own.levels[0], &curves, &own.shape));
   CHECK(!LevelTurnCells(&own.levels[0], NULL));
   CHECK(!CurvesDestroy(&curves));
   CHECK(!DMDestroy(&dm));
@@ -103,7 +112,7 @@ static void TestSame(PetscInt dim, const char file[], PetscInt order, const char
     for (PetscInt i = 0; i < NUM_SUMS; ++i) CHECK_NEAR(found[i], expected[l][i], 1e-11);
   }
   for (PetscInt l = 0; l < 2; ++l) CHECK(!LevelDestroy(&own.levels[l]));
-  CHECK(!MeshShapeDestroy(&own));
+  CHECK(!MeshShapeDestroy(&own.shape));
   CHECK(!PetscFree(own.levels));
   TestSceneFree(&t);
 }

@@ -1,6 +1,9 @@
 /* test_meshsolid.c -- bodies in space, on any number of ranks: volumes, sides, levels, maps. */
 #include "solid_scene.h"
-#include "mesh/meshimpl.h"
+#include "level/level.h"
+#include "mesh/boxparts.h"
+#include "mesh/mesh.h"
+#include "refinement/curves.h"
 
 /* A box of hexahedra above one of tetrahedra: every measure of both on every level. */
 static void TestBoxes(PetscInt refine, PetscInt order)

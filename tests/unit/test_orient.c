@@ -1,5 +1,6 @@
 /* test_orient.c -- roles without circles: small graphs by hand, and random ones against all choices there are. */
-#include "mesh/meshimpl.h"
+#include "mesh/mesh.h"
+#include "mesh/mortarchoice.h"
 #include "mesh_scene.h"
 
 enum { MAX_PAIRS = 8, MAX_ENDS = 2 * MAX_PAIRS };

@@ -1,5 +1,7 @@
 /* test_partition.c -- contact edges keep cells that touch on one rank, without spoiling the balance. */
-#include "mesh/meshimpl.h"
+#include "level/level.h"
+#include "mesh/mesh.h"
+#include "partition/partition.h"
 #include "solid_scene.h"
 
 enum { N = 16 };

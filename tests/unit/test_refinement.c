@@ -1,5 +1,6 @@
 /* test_refinement.c -- refined meshes, against those of PETSc's own transform. */
-#include "mesh/meshimpl.h"
+#include "bodies/bodylist.h"
+#include "bodies/plexlist.h"
 #include "refinement/refinement.h"
 #include <petscdmplextransform.h>
 #include <petscsf.h>

@@ -1,5 +1,6 @@
 /* test_skeleton.c -- facets and edges between cells and vertices, against those that PETSc finds. */
-#include "mesh/meshimpl.h"
+#include "bodies/bodylist.h"
+#include "bodies/plexlist.h"
 #include "shuffled_boxes.h"
 
 static void TestInterpolate(PetscInt dim)
