@@ -16,6 +16,11 @@
 #include <sys/resource.h>
 #ifdef __GLIBC__
 #include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#if __GLIBC_PREREQ(2, 33)
+#define MEMORY_KNOWS_HEAP 1 /* by mallinfo2() */
+#endif
 #endif
 
 /* Bytes of a unit: KILOBYTE in /proc and getrusage() of Linux, BYTE in getrusage() of macOS. */
@@ -71,6 +76,24 @@ static PetscReal MemoryGetAvailable_Private(void)
   return MemoryGetFromProc_Private("/proc/meminfo", "MemAvailable:");
 }
 
+/* Bytes at the top of the heap that are free and not in memory: the next allocations take them first. Open
+   MPI makes malloc() keep what is freed, so the buffer that MemoryPrepare() frees is among them. 0 on other
+   systems. */
+static PetscReal MemoryGetHeapTop_Private(void)
+{
+  PetscReal bytes = 0;
+#if MEMORY_KNOWS_HEAP
+  const size_t   page = (size_t)sysconf(_SC_PAGESIZE), num = mallinfo2().keepcost / page;
+  unsigned char *in_memory = calloc(num + 1, 1);
+  char          *end       = sbrk(0);
+
+  if (in_memory && !mincore(end - num * page, num * page, in_memory))
+    for (size_t i = 0; i < num; i++) bytes += in_memory[i] & 1 ? 0 : (PetscReal)page;
+  free(in_memory);
+#endif
+  return bytes;
+}
+
 /* Addresses that a limit of this process leaves it; infinite without a limit. */
 static PetscReal MemoryGetAddresses_Private(void)
 {
@@ -78,7 +101,7 @@ static PetscReal MemoryGetAddresses_Private(void)
   struct rlimit   limit;
 
   if (getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == RLIM_INFINITY) return PETSC_INFINITY;
-  return (PetscReal)limit.rlim_cur - (PetscIsNanReal(taken) ? 0 : taken);
+  return (PetscReal)limit.rlim_cur - (PetscIsNanReal(taken) ? 0 : taken) + MemoryGetHeapTop_Private();
 }
 
 static PetscReal MemoryGetPeakFromUsage_Private(void)

@@ -22,8 +22,8 @@ PetscErrorCode MemoryPeakReset(MPI_Comm comm, PetscBool *done);
    [in] bytes - of this rank; [out] suffices - the same on all ranks */
 PetscErrorCode MemorySuffices(MPI_Comm comm, PetscReal bytes, PetscBool *suffices);
 /* What all ranks may have together: what is resident now, and what their machines and limits of addresses
-   still give the rank with least of it, times their number. Infinite where the system does not report it.
-   Collective on comm. [out] bytes - the same on all ranks */
+   still give the rank with least of it, times their number. Free memory at the top of the heap counts.
+   Infinite where the system does not report it. Collective on comm. [out] bytes - the same on all ranks */
 PetscErrorCode MemoryLimit(MPI_Comm comm, PetscReal *bytes);
 
 #endif

@@ -1,8 +1,12 @@
-/* test_memory.c -- the peak sees what was held and given back, on every rank, and begins anew where the system can. */
+/* test_memory.c -- the peak sees what was held and given back, on every rank, and begins anew where the system can;
+   the limit. */
 #include "base/compat.h"
 #include "base/memory.h"
+#include <malloc.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <test.h>
 #include <unistd.h>
 
@@ -17,6 +21,45 @@ static void Hold(void)
   CHECK(block != MAP_FAILED);
   memset(block, 1, HELD);
   CHECK(!munmap(block, HELD));
+}
+
+/* Addresses of this process, in bytes. */
+static size_t Addresses(void)
+{
+  FILE         *file  = fopen("/proc/self/statm", "r");
+  unsigned long pages = 0;
+
+  CHECK(file && fscanf(file, "%lu", &pages) == 1 && !fclose(file));
+  return pages * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+/* The limit where no more addresses can be had than the process has. */
+static PetscReal LimitHere(void)
+{
+  struct rlimit old, now;
+  PetscReal     limit;
+
+  CHECK(!getrlimit(RLIMIT_AS, &old));
+  now = (struct rlimit){.rlim_cur = Addresses(), .rlim_max = old.rlim_max};
+  CHECK(!setrlimit(RLIMIT_AS, &now));
+  CHECK(!MemoryLimit(PETSC_COMM_WORLD, &limit));
+  CHECK(!setrlimit(RLIMIT_AS, &old));
+  return limit;
+}
+
+/* What the heap keeps of freed memory that nobody touched is left, too. */
+static void CheckHeap(PetscMPIInt size)
+{
+  PetscReal before;
+  void *volatile block;
+
+  if (!mallopt(M_MMAP_MAX, 0) || !mallopt(M_TRIM_THRESHOLD, (int)(2 * HELD)) || access("/proc/self/statm", R_OK))
+    return;
+  before = LimitHere();
+  block  = malloc(HELD);
+  CHECK(block);
+  free(block);
+  CHECK(LimitHere() > before + 0.9 * (PetscReal)HELD * size);
 }
 
 int main(int argc, char **argv)
@@ -50,6 +93,7 @@ int main(int argc, char **argv)
   if (access("/proc/meminfo", R_OK) == 0) CHECK(!suffices); // wherever one rank alone wants it
   PetscCall(MemoryLimit(PETSC_COMM_WORLD, &limit));
   CHECK(limit > anew - (PetscReal)HELD * size); // what is resident is a part of it
+  CheckHeap(size);
   PetscCall(PetscFinalize());
   return 0;
 }
