@@ -29,9 +29,10 @@ typedef struct {
 
 /* Kept with a VI. */
 struct _n_VIBasis {
-  NodeBases   bases;
-  Couplings   couplings;
-  BasisChange change; /* the VI borrows T */
+  NodeBases              bases;
+  Couplings              couplings;
+  BasisChange            change; /* the VI borrows T */
+  struct _n_BasisGhosts *ghosts; /* its products, with the ghosts of K; NULL without T */
 };
 
 /* T = S (I + E + E E + ..) R with u~ = R y + E u~ (eq. 6.1): R rotates, E adds the displacement of the mortar

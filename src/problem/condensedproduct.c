@@ -1,71 +1,27 @@
 /* condensedproduct.c -- see the header. */
 #include "problem/condensedproduct.h"
 #include "base/compat.h"
-#include "problem/basischange.h"
+#include "problem/basisghosts.h"
 #include "problem/stiffness.h"
 
 typedef struct {
-  Mat S;
-  Mat few[BASIS_FACTORS];  /* rows of the factors */
-  IS  rows[BASIS_FACTORS]; /* their numbers */
-  Vec w[BASIS_FACTORS];    /* at these rows */
-  Vec Tx;
+  Mat         S;
+  BasisGhosts basis;
 } CondensedProduct;
-
-/* x <- (1 + E) x */
-static PetscErrorCode CondensedProductAdd_Private(const CondensedProduct *p, int factor, Vec x)
-{
-  const Vec          w = p->w[factor];
-  const PetscInt    *row;
-  const PetscScalar *add;
-  PetscScalar       *a;
-  PetscInt           num;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatMult(p->few[factor], x, w));
-  PetscCall(ISGetLocalSize(p->rows[factor], &num));
-  PetscCall(ISGetIndices(p->rows[factor], &row));
-  PetscCall(VecGetArrayRead(w, &add));
-  PetscCall(VecGetArray(x, &a));
-  for (PetscInt i = 0; i < num; i++) a[row[i]] += add[i];
-  PetscCall(VecRestoreArray(x, &a));
-  PetscCall(VecRestoreArrayRead(w, &add));
-  PetscCall(ISRestoreIndices(p->rows[factor], &row));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* y <- (1 + E)'y */
-static PetscErrorCode CondensedProductAddTranspose_Private(const CondensedProduct *p, int factor, Vec y)
-{
-  const Vec          w = p->w[factor];
-  const PetscInt    *row;
-  const PetscScalar *a;
-  PetscScalar       *from;
-  PetscInt           num;
-
-  PetscFunctionBeginUser;
-  PetscCall(ISGetLocalSize(p->rows[factor], &num));
-  PetscCall(ISGetIndices(p->rows[factor], &row));
-  PetscCall(VecGetArrayRead(y, &a));
-  PetscCall(VecGetArray(w, &from));
-  for (PetscInt i = 0; i < num; i++) from[i] = a[row[i]];
-  PetscCall(VecRestoreArray(w, &from));
-  PetscCall(VecRestoreArrayRead(y, &a));
-  PetscCall(ISRestoreIndices(p->rows[factor], &row));
-  PetscCall(MatMultTransposeAdd(p->few[factor], w, y, y));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
 
 static PetscErrorCode Mult_CondensedProduct(Mat P, Vec x, Vec y)
 {
-  CondensedProduct *p;
+  CondensedProduct  *p;
+  const PetscScalar *own, *others;
+  PetscScalar       *a;
 
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(P, &p));
-  PetscCall(VecCopy(x, p->Tx));
-  for (int f = BASIS_FACTORS - 1; f >= 0; f--) PetscCall(CondensedProductAdd_Private(p, f, p->Tx));
-  PetscCall(MatMult(p->S, p->Tx, y));
-  for (int f = 0; f < BASIS_FACTORS; f++) PetscCall(CondensedProductAddTranspose_Private(p, f, y));
+  PetscCall(BasisGhostsMult(p->basis, x, &own, &others));
+  PetscCall(VecGetArrayWrite(y, &a));
+  PetscCall(StiffnessMultLocal(p->S, own, others, a));
+  PetscCall(VecRestoreArrayWrite(y, &a));
+  PetscCall(BasisGhostsMultTranspose(p->basis, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -76,12 +32,7 @@ static PetscErrorCode Destroy_CondensedProduct(Mat P)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(P, &p));
   PetscCall(MatDestroy(&p->S));
-  for (int f = 0; f < BASIS_FACTORS; f++) {
-    PetscCall(MatDestroy(&p->few[f]));
-    PetscCall(ISDestroy(&p->rows[f]));
-    PetscCall(VecDestroy(&p->w[f]));
-  }
-  PetscCall(VecDestroy(&p->Tx));
+  PetscCall(BasisGhostsDestroy(&p->basis));
   PetscCall(PetscFree(p));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -96,57 +47,13 @@ PetscErrorCode CondensedProductCreate(Mat S, VI vi, Mat *P)
   *P = S;
   if (!vi->T) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscNew(&p));
-  p->S = S;
-  for (int f = 0; f < BASIS_FACTORS; f++) {
-    p->few[f]  = vi->basis->change.factor[f].few;
-    p->rows[f] = vi->basis->change.factor[f].rows;
-    PetscCall(PetscObjectReference((PetscObject)p->few[f]));
-    PetscCall(PetscObjectReference((PetscObject)p->rows[f]));
-    PetscCall(MatCreateVecs(p->few[f], NULL, &p->w[f]));
-  }
-  PetscCall(MatCreateVecs(vi->T, &p->Tx, NULL));
-  PetscCall(VecGetLocalSize(p->Tx, &n));
+  p->S     = S;
+  p->basis = vi->basis->ghosts;
+  BasisGhostsReference(p->basis);
+  PetscCall(MatGetLocalSize(S, &n, NULL));
   PetscCall(MatCreateShell(PetscObjectComm((PetscObject)S), n, n, PETSC_DETERMINE, PETSC_DETERMINE, p, P));
   PetscCall(MatShellSetOperation(*P, MATOP_MULT, (void (*)(void))Mult_CondensedProduct));
   PetscCall(MatShellSetOperation(*P, MATOP_DESTROY, (void (*)(void))Destroy_CondensedProduct));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Sets the entries of one process to their absolute values. */
-static PetscErrorCode MatSetAbsolute_Private(Mat A)
-{
-  PetscScalar *a;
-  PetscInt     num;
-  MatInfo      info;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatGetInfo(A, MAT_LOCAL, &info));
-  num = (PetscInt)info.nz_used;
-  PetscCall(MatSeqAIJGetArray(A, &a));
-  for (PetscInt i = 0; i < num; i++) a[i] = PetscAbsScalar(a[i]);
-  PetscCall(MatSeqAIJRestoreArray(A, &a));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Adds to a region what the unknowns in it move by a factor. [in,out] region - not 0 at unknowns in it */
-static PetscErrorCode CondensedProductReach_Private(const CondensedProduct *p, int factor, Vec region)
-{
-  CondensedProduct absolute = *p;
-  Mat              own, others;
-  PetscBool        alone;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatDuplicate(p->few[factor], MAT_COPY_VALUES, &absolute.few[factor]));
-  PetscCall(PetscObjectTypeCompare((PetscObject)absolute.few[factor], MATSEQAIJ, &alone));
-  if (alone) {
-    PetscCall(MatSetAbsolute_Private(absolute.few[factor]));
-  } else {
-    PetscCall(MatMPIAIJGetSeqAIJ(absolute.few[factor], &own, &others, NULL));
-    PetscCall(MatSetAbsolute_Private(own));
-    PetscCall(MatSetAbsolute_Private(others));
-  }
-  PetscCall(CondensedProductAdd_Private(&absolute, factor, region));
-  PetscCall(MatDestroy(&absolute.few[factor]));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -191,7 +98,7 @@ PetscErrorCode CondensedProductRestrict(Mat P, Vec region, PetscReal *part)
   PetscCall(MatGetBlockSize(p->S, &bs));
   PetscCall(VecDuplicate(region, &reached));
   PetscCall(VecCopy(region, reached));
-  for (int f = BASIS_FACTORS - 1; f >= 0; f--) PetscCall(CondensedProductReach_Private(p, f, reached));
+  PetscCall(BasisGhostsReach(p->basis, reached));
   PetscCall(RegionFillNodes_Private(bs, reached));
   PetscCall(StiffnessRestrict(p->S, reached, part));
   PetscCall(VecDestroy(&reached));

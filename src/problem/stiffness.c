@@ -48,10 +48,34 @@ static void StiffnessAddOthers_Private(const Stiffness *s, const BlockRows *rows
   }
 }
 
+/* y = factor K x of the columns of this rank. [in] scaled - how */
+static PetscErrorCode StiffnessMultOwn_Private(const Stiffness *s, const Scaled *scaled, const PetscScalar x[],
+                                               PetscScalar y[])
+{
+  PetscFunctionBeginUser;
+  if (scaled->some)
+    SymmetricBlocksMultRows(&s->own, &scaled->rows, scaled->factor, scaled->single, x, y);
+  else if (scaled->single)
+    SymmetricBlocksMultSingle(&s->own, scaled->single, x, y);
+  else
+    SymmetricBlocksMult(&s->own, scaled->factor, x, y);
+  PetscCall(PetscLogFlops(2.0 * (s->own.start[s->own.num] + s->own.num) * s->bs * s->bs));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds the columns of ghosts. */
+static PetscErrorCode StiffnessMultOthers_Private(const Stiffness *s, const Scaled *scaled, const PetscScalar x[],
+                                                  PetscScalar y[])
+{
+  PetscFunctionBeginUser;
+  StiffnessAddOthers_Private(s, scaled->some ? &scaled->rows : NULL, scaled->factor, x, y);
+  PetscCall(PetscLogFlops(2.0 * s->start[s->own.num] * s->bs * s->bs));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* y = factor K x. [in] scaled - how */
 static PetscErrorCode StiffnessMult_Private(const Scaled *scaled, Vec x, Vec y)
 {
-  const BlockRows   *rows = scaled->some ? &scaled->rows : NULL;
   Stiffness         *s;
   const PetscScalar *xa;
   PetscScalar       *ya;
@@ -61,22 +85,28 @@ static PetscErrorCode StiffnessMult_Private(const Scaled *scaled, Vec x, Vec y)
   if (s->ghosts) PetscCall(VecScatterBegin(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
   PetscCall(VecGetArrayRead(x, &xa));
   PetscCall(VecGetArrayWrite(y, &ya));
-  if (rows)
-    SymmetricBlocksMultRows(&s->own, rows, scaled->factor, scaled->single, xa, ya);
-  else if (scaled->single)
-    SymmetricBlocksMultSingle(&s->own, scaled->single, xa, ya);
-  else
-    SymmetricBlocksMult(&s->own, scaled->factor, xa, ya);
+  PetscCall(StiffnessMultOwn_Private(s, scaled, xa, ya));
   PetscCall(VecRestoreArrayRead(x, &xa));
-  PetscCall(PetscLogFlops(2.0 * (s->own.start[s->own.num] + s->own.num) * s->bs * s->bs));
   if (s->ghosts) {
     PetscCall(VecScatterEnd(s->scatter, x, s->ghosts, INSERT_VALUES, SCATTER_FORWARD));
     PetscCall(VecGetArrayRead(s->ghosts, &xa));
-    StiffnessAddOthers_Private(s, rows, scaled->factor, xa, ya);
+    PetscCall(StiffnessMultOthers_Private(s, scaled, xa, ya));
     PetscCall(VecRestoreArrayRead(s->ghosts, &xa));
-    PetscCall(PetscLogFlops(2.0 * s->start[s->own.num] * s->bs * s->bs));
   }
   PetscCall(VecRestoreArrayWrite(y, &ya));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode StiffnessMultLocal(Mat S, const PetscScalar own[], const PetscScalar others[], PetscScalar y[])
+{
+  Scaled    *scaled;
+  Stiffness *s;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatShellGetContext(S, &scaled));
+  PetscCall(MatShellGetContext(scaled->K, &s));
+  PetscCall(StiffnessMultOwn_Private(s, scaled, own, y));
+  if (s->ghosts) PetscCall(StiffnessMultOthers_Private(s, scaled, others, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

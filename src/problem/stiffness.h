@@ -28,6 +28,9 @@ PetscErrorCode StiffnessCreateScaled(Mat K, PetscReal factor, Mat *S);
 /* The same with numbers in single precision, for a preconditioner. Collective.
    [out] S - owned by the caller */
 PetscErrorCode StiffnessCreateSingle(Mat K, PetscReal factor, Mat *S);
+/* y = S x. Not collective.
+   [in] own, others - x of this rank's unknowns, and of the ghosts of K; others are not read on one process */
+PetscErrorCode StiffnessMultLocal(Mat S, const PetscScalar own[], const PetscScalar others[], PetscScalar y[]);
 /* Restricts products with S: from now on they are right in a region, and everywhere for vectors that are 0
    outside of it. Collective. [in] region - not 0 at all unknowns of its nodes, 0 at others; or NULL for
    all; [out] part - of the entries that a product reads */

@@ -9,7 +9,7 @@
 #include "base/log.h"
 #include "problem/vi.h"
 #include "base/warning.h"
-#include "problem/basischange.h"
+#include "problem/basisghosts.h"
 #include "problem/kktsystem.h"
 #include "problem/stiffness.h"
 #include "problem/cyclicroles.h"
@@ -87,7 +87,10 @@ static PetscErrorCode VICondense_Private(VI vi, const PetscReal values[])
   Mat            scaled;
 
   PetscFunctionBeginUser;
-  if (vi->T) PetscCall(CondensationCreate(vi->K, vi->basis->change.factor, &vi->Z));
+  if (vi->T) {
+    PetscCall(CondensationCreate(vi->K, vi->basis->change.factor, &vi->Z));
+    PetscCall(BasisGhostsCreate(vi->K, vi->basis->change.factor, &vi->basis->ghosts));
+  }
   if (vi->Z) PetscCall(MatScale(vi->Z, 1 / vi->stiffness));
   PetscCall(StiffnessCreateScaled(vi->K, 1 / vi->stiffness, &scaled));
   PetscCall(CondensedProductCreate(scaled, vi, &vi->S));
@@ -238,6 +241,7 @@ PetscErrorCode VIReplaceStiffness(VI vi, Mat K)
   PetscCall(MatDestroy(&vi->A));
   PetscCall(MatDestroy(&vi->S));
   PetscCall(MatDestroy(&vi->Z));
+  PetscCall(BasisGhostsDestroy(&vi->basis->ghosts));
   PetscCall(VecDestroy(&vi->b));
   PetscCall(PetscFree(vi->fixed_local));
   PetscCall(PetscFree(vi->fixed));
@@ -332,6 +336,7 @@ PetscErrorCode VIDestroy(VI *vi_in)
     PetscCall(CouplingsDestroy(&vi->basis->couplings));
     PetscCall(NodeBasesDestroy(&vi->basis->bases));
     PetscCall(BasisChangeDestroy(&vi->basis->change));
+    PetscCall(BasisGhostsDestroy(&vi->basis->ghosts));
   }
   PetscCall(PetscFree(vi->basis));
   PetscCall(PetscFree(vi->fixed));

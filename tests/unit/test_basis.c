@@ -231,6 +231,26 @@ static void TestRegion(VI vi)
   CHECK(!MatDestroy(&S));
 }
 
+/* A product has one exchange of x and one of what T' adds, whatever T has of factors. */
+static void TestExchanges(VI vi)
+{
+  PetscEventPerfInfo before, after;
+  PetscLogEvent      scatter;
+  PetscLogStage      stage;
+  PetscMPIInt        size;
+  Vec                y;
+
+  CHECK(!PetscLogEventGetId("VecScatterBegin", &scatter));
+  CHECK(!PetscLogStageGetId("Main Stage", &stage));
+  CHECK(!MPI_Comm_size(PETSC_COMM_WORLD, &size));
+  CHECK(!VecDuplicate(vi->b, &y));
+  CHECK(!PetscLogEventGetPerfInfo(stage, scatter, &before));
+  CHECK(!MatMult(vi->S, vi->b, y));
+  CHECK(!PetscLogEventGetPerfInfo(stage, scatter, &after));
+  CHECK(after.count - before.count == (size > 1 ? 2 : 0));
+  CHECK(!VecDestroy(&y));
+}
+
 int main(int argc, char **argv)
 {
   TestScene t;
@@ -238,8 +258,10 @@ int main(int argc, char **argv)
   VI        vi;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
+  PetscCall(PetscLogDefaultBegin());
   for (PetscInt which = 0; which < CASE_COUNT; ++which) {
     vi = CreateVI(&t, (Case)which, PETSC_FALSE, &mesh);
+    TestExchanges(vi);
     TestRows(vi);
     TestMotions(vi);
     TestRegion(vi);
@@ -252,6 +274,7 @@ int main(int argc, char **argv)
   TestProducts(vi);
   DestroyVI(&t, &mesh, &vi);
   vi = CreateSolidVI(&t, PETSC_FALSE, &mesh);
+  TestExchanges(vi);
   TestRows(vi);
   TestMotions(vi);
   DestroyVI(&t, &mesh, &vi);

@@ -1,0 +1,29 @@
+/* basisghosts.h -- products with T and T', factor by factor, with one exchange between ranks each.
+
+   A rank has the rows of all factors that its part of a product K (T x) depends on, also those that others
+   own. */
+#ifndef MORTISE_BASISGHOSTS_H
+#define MORTISE_BASISGHOSTS_H
+
+#include "problem/basischange.h"
+
+typedef struct _n_BasisGhosts *BasisGhosts;
+
+/* Collective. [in] K - a stiffness, or AIJ; its ghosts are those of products; [in] factors - of T
+   [BASIS_FACTORS]; [out] ghosts - owned by the caller */
+PetscErrorCode BasisGhostsCreate(Mat K, const BasisFactor factors[], BasisGhosts *ghosts);
+/* Another owner. Not collective. */
+void BasisGhostsReference(BasisGhosts ghosts);
+/* NULL is accepted. Collective. */
+PetscErrorCode BasisGhostsDestroy(BasisGhosts *ghosts);
+
+/* T x. Collective.
+   [out] own, others - of unknowns of this rank, and of the ghosts of K; borrowed until the next call of
+   BasisGhostsMult() or BasisGhostsReach() */
+PetscErrorCode BasisGhostsMult(BasisGhosts ghosts, Vec x, const PetscScalar **own, const PetscScalar **others);
+/* y <- T'y. Collective. [in,out] y */
+PetscErrorCode BasisGhostsMultTranspose(BasisGhosts ghosts, Vec y);
+/* Adds to a region all that T moves by it. Collective. [in,out] region - not 0 at unknowns in it */
+PetscErrorCode BasisGhostsReach(BasisGhosts ghosts, Vec region);
+
+#endif
