@@ -275,9 +275,21 @@ static PetscErrorCode MGLevelChangeFinest_Private(const MGLevel *level, Mat more
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The change of the coarser level.
+   [in] dC - of this one, or NULL; [in] is - M from now on; [out] coarser - owned by the caller */
+static PetscErrorCode MGLevelRestrictChange_Private(const MGLevel *level, Mat dC, Vec is, Mat *coarser)
+{
+  const TruncationChange change = {
+      .C = level->change, .dC = dC, .was = level->free, .is = is, .W = level->ready ? NULL : level->W};
+
+  PetscFunctionBeginUser;
+  PetscCall(TruncationUpdateRestrict(&level->base->op, &change, level->base->P, coarser));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more)
 {
-  Mat dC = NULL, update = NULL;
+  Mat dC = NULL, coarser = NULL;
   Vec is;
 
   PetscFunctionBeginUser;
@@ -287,9 +299,7 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more
   for (PetscInt l = num - 1; l >= 0; l--) {
     MGLevel *level = &levels[l];
 
-    if (l)
-      PetscCall(TruncationUpdateCreate(&level->base->op, level->change, dC, level->free, is,
-                                       level->ready ? NULL : level->W, &update));
+    if (l) PetscCall(MGLevelRestrictChange_Private(level, dC, is, &coarser));
     if (level->change && dC) PetscCall(TruncationUpdateAdd(level->change, dC));
     if (dC && !level->change) PetscCall(PetscObjectReference((PetscObject)dC));
     if (dC && !level->change) level->change = dC;
@@ -303,8 +313,7 @@ PetscErrorCode MGLevelSetFree(PetscInt num, MGLevel levels[], Vec free, Mat more
     level->ready = PETSC_TRUE;
     if (!l) break;
     PetscCall(MGLevelSetLargest_Private(level));
-    PetscCall(TruncationUpdateRestrict(update, level->base->P, &dC));
-    PetscCall(MatDestroy(&update));
+    dC = coarser;
     PetscCall(VecDuplicate(levels[l - 1].free, &is));
     PetscCall(MGLevelSetFreeCoarser_Private(level, is));
   }

@@ -100,7 +100,7 @@ static PetscErrorCode NodeLevelsMultiplyInverse_Private(const Operator *op, Mat 
 static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const PetscBool was_held[], PetscBool fixed[],
                                                  Mat *P, Mat Ac)
 {
-  Mat          product, update;
+  Mat          product;
   Vec          was, is, keep;
   PetscScalar *a;
   PetscInt     n;
@@ -116,12 +116,10 @@ static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const Petsc
   PetscCall(VecGetArrayWrite(was, &a));
   for (PetscInt i = 0; i < n; i++) a[i] = was_held[i] ? 0 : 1;
   PetscCall(VecRestoreArrayWrite(was, &a));
-  PetscCall(TruncationUpdateCreate(op, NULL, NULL, was, is, NULL, &update));
-  PetscCall(TruncationUpdateRestrict(update, *P, &product));
+  PetscCall(TruncationUpdateRestrict(op, &(TruncationChange){.was = was, .is = is}, *P, &product));
   PetscCall(MatAXPY(Ac, 1, product, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatDiagonalScale(*P, is, NULL));
   PetscCall(MatDestroy(&product));
-  PetscCall(MatDestroy(&update));
   PetscCall(VecDestroy(&was));
   PetscCall(VecDestroy(&is));
   PetscCall(VecDestroy(&keep));

@@ -1,7 +1,13 @@
 /* truncationupdate.c -- changes of a matrix by truncation: a list of entries, few compared with the
-   matrix. */
+   matrix.
+
+   M X M changes in the rows a of unknowns that change state, and in their columns. Let R take these rows from
+   a vector, and W have all entries of the change in rows a, those in columns a halved. Then the change is R'W
+   + W'R, and its coarse operator (R P)'(W P) + (W P)'(R P): no rows but these are multiplied. */
 #include "base/compat.h"
+#include "multigrid/fewrows.h"
 #include "multigrid/galerkin.h"
+#include "multigrid/transposedproduct.h"
 #include "multigrid/truncationupdate.h"
 
 /* Entries of a matrix under assembly. */
@@ -19,19 +25,36 @@ typedef struct {
   PetscScalar       *ghost_state; /* was + 2 is [num_ghosts] */
 } States;
 
+/* A term of the matrix. */
+typedef struct {
+  Mat       X;
+  PetscReal factor;
+  States    states;
+} Term;
+enum { TERMS = 3 };
+
 static PetscErrorCode TruncationUpdateAdd_Private(Entries *entries, PetscInt row, PetscInt column, PetscScalar value)
 {
   PetscFunctionBeginUser;
   if (value == 0) PetscFunctionReturn(PETSC_SUCCESS);
   if (entries->num == entries->max) {
     entries->max = 2 * entries->max + 1024;
-    PetscCall(PetscRealloc(entries->max * sizeof(PetscInt), &entries->row));
-    PetscCall(PetscRealloc(entries->max * sizeof(PetscInt), &entries->column));
-    PetscCall(PetscRealloc(entries->max * sizeof(PetscScalar), &entries->value));
+    PetscCall(PetscRealloc((size_t)entries->max * sizeof(PetscInt), &entries->row));
+    PetscCall(PetscRealloc((size_t)entries->max * sizeof(PetscInt), &entries->column));
+    PetscCall(PetscRealloc((size_t)entries->max * sizeof(PetscScalar), &entries->value));
   }
   entries->row[entries->num]     = row;
   entries->column[entries->num]  = column;
   entries->value[entries->num++] = value;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode EntriesDestroy_Private(Entries *entries)
+{
+  PetscFunctionBeginUser;
+  PetscCall(PetscFree(entries->row));
+  PetscCall(PetscFree(entries->column));
+  PetscCall(PetscFree(entries->value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -94,34 +117,188 @@ static PetscErrorCode TruncationUpdateGetState_Private(const States *states, Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds the change of M (factor X) M. */
-static PetscErrorCode TruncationUpdateAddChanged_Private(Mat X, PetscReal factor, Vec was, Vec is, Entries *entries)
+/* Adds the row of W of one term. */
+static PetscErrorCode TruncationUpdateAddTerm_Private(const Term *term, PetscInt row, Entries *entries)
 {
-  States states;
+  const States      *states = &term->states;
+  PetscInt           num;
+  PetscBool          row_was, row_is;
+  const PetscInt    *columns;
+  const PetscScalar *values;
 
   PetscFunctionBeginUser;
-  PetscCall(TruncationUpdateBeginStates_Private(X, was, is, &states));
-  for (PetscInt row = states.begin; row < states.end; row++) {
-    const PetscBool row_was = (PetscBool)(states.was[row - states.begin] != 0),
-                    row_is  = (PetscBool)(states.is[row - states.begin] != 0);
-    PetscInt           num;
-    const PetscInt    *columns;
-    const PetscScalar *values;
+  PetscCall(TruncationUpdateGetState_Private(states, row, &row_was, &row_is));
+  PetscCall(MatGetRow(term->X, row, &num, &columns, &values));
+  for (PetscInt j = 0; j < num; j++) {
+    PetscBool was, is;
+    PetscReal change;
 
-    if (row_was == row_is) continue;
-    PetscCall(MatGetRow(X, row, &num, &columns, &values));
-    for (PetscInt j = 0; j < num; j++) {
-      PetscBool column_was, column_is;
-      PetscReal change;
-
-      PetscCall(TruncationUpdateGetState_Private(&states, columns[j], &column_was, &column_is));
-      change = factor * ((row_is && column_is ? 1 : 0) - (row_was && column_was ? 1 : 0));
-      PetscCall(TruncationUpdateAdd_Private(entries, row, columns[j], change * values[j]));
-      if (column_was == column_is) PetscCall(TruncationUpdateAdd_Private(entries, columns[j], row, change * values[j]));
-    }
-    PetscCall(MatRestoreRow(X, row, &num, &columns, &values));
+    PetscCall(TruncationUpdateGetState_Private(states, columns[j], &was, &is));
+    change = term->factor * ((row_is && is ? 1 : 0) - (row_was && was ? 1 : 0));
+    PetscCall(TruncationUpdateAdd_Private(entries, row, columns[j], (was == is ? 1 : 0.5) * change * values[j]));
   }
-  PetscCall(TruncationUpdateEndStates_Private(was, is, &states));
+  PetscCall(MatRestoreRow(term->X, row, &num, &columns, &values));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Sorts the entries of a row, and adds up those of the same column.
+   [in] first - of the row; [in,out] entries */
+static PetscErrorCode EntriesMergeRow_Private(PetscInt first, Entries *entries)
+{
+  PetscInt at = first;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscSortIntWithScalarArray(entries->num - first, &entries->column[first], &entries->value[first]));
+  for (PetscInt j = first + 1; j < entries->num; j++) {
+    if (entries->column[j] == entries->column[at]) {
+      entries->value[at] += entries->value[j];
+    } else {
+      entries->column[++at] = entries->column[j];
+      entries->value[at]    = entries->value[j];
+    }
+  }
+  entries->num = PetscMin(at + 1, entries->num);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The unknowns that change state. [out] rows - of this rank, owned by the caller [num] */
+static PetscErrorCode TruncationUpdateListChanged_Private(const TruncationChange *change, PetscInt *num,
+                                                          PetscInt **rows)
+{
+  const PetscScalar *was, *is;
+  PetscInt           begin, end;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetOwnershipRange(change->is, &begin, &end));
+  PetscCall(VecGetArrayRead(change->was, &was));
+  PetscCall(VecGetArrayRead(change->is, &is));
+  *num = 0;
+  for (PetscInt i = 0; i < end - begin; i++) *num += (was[i] != 0) != (is[i] != 0);
+  PetscCall(PetscMalloc1(*num, rows));
+  *num = 0;
+  for (PetscInt i = 0; i < end - begin; i++)
+    if ((was[i] != 0) != (is[i] != 0)) (*rows)[(*num)++] = begin + i;
+  PetscCall(VecRestoreArrayRead(change->is, &is));
+  PetscCall(VecRestoreArrayRead(change->was, &was));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* W. [in] rows - that change state [num]; [out] W - these rows of the change, owned by the caller */
+static PetscErrorCode TruncationUpdateCreateRows_Private(const Operator *op, const TruncationChange *change,
+                                                         PetscInt num, const PetscInt rows[], Mat *W)
+{
+  Term terms[TERMS] = {
+      {.X = op->K, .factor = 1 / op->stiffness}, {.X = op->Z, .factor = 1}, {.X = change->C, .factor = 1}};
+  Entries  entries = {.num = 0};
+  PetscInt n, N, *start;
+
+  PetscFunctionBeginUser;
+  for (int t = 0; t < TERMS; t++)
+    if (terms[t].X)
+      PetscCall(TruncationUpdateBeginStates_Private(terms[t].X, change->was, change->is, &terms[t].states));
+  PetscCall(PetscMalloc1(num + 1, &start));
+  start[0] = 0;
+  for (PetscInt i = 0; i < num; i++) {
+    for (int t = 0; t < TERMS; t++)
+      if (terms[t].X) PetscCall(TruncationUpdateAddTerm_Private(&terms[t], rows[i], &entries));
+    PetscCall(EntriesMergeRow_Private(start[i], &entries));
+    start[i + 1] = entries.num;
+  }
+  for (int t = 0; t < TERMS; t++)
+    if (terms[t].X) PetscCall(TruncationUpdateEndStates_Private(change->was, change->is, &terms[t].states));
+  PetscCall(MatGetLocalSize(op->K, &n, NULL));
+  PetscCall(MatGetSize(op->K, &N, NULL));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), W));
+  PetscCall(MatSetSizes(*W, num, n, PETSC_DETERMINE, N));
+  PetscCall(MatSetType(*W, MATAIJ));
+  PetscCall(MatSeqAIJSetPreallocationCSR(*W, start, entries.column, entries.value)); // one of the two does nothing
+  PetscCall(MatMPIAIJSetPreallocationCSR(*W, start, entries.column, entries.value));
+  PetscCall(PetscFree(start));
+  PetscCall(EntriesDestroy_Private(&entries));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Unknowns of this rank that are columns of entries, on any rank. Collective. [in] like - a vector of the
+   columns; [out] columns - owned by the caller */
+static PetscErrorCode TruncationUpdateListColumns_Private(Mat W, Vec like, IS *columns)
+{
+  PetscInt           begin, end, *list, num = 0;
+  const PetscScalar *met;
+  Vec                marks;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecDuplicate(like, &marks));
+  PetscCall(VecZeroEntries(marks));
+  PetscCall(MatGetOwnershipRange(W, &begin, &end));
+  for (PetscInt row = begin; row < end; row++) {
+    PetscInt        size;
+    const PetscInt *c;
+
+    PetscCall(MatGetRow(W, row, &size, &c, NULL));
+    for (PetscInt j = 0; j < size; j++) PetscCall(VecSetValue(marks, c[j], 1, INSERT_VALUES));
+    PetscCall(MatRestoreRow(W, row, &size, &c, NULL));
+  }
+  PetscCall(VecAssemblyBegin(marks));
+  PetscCall(VecAssemblyEnd(marks));
+  PetscCall(VecGetOwnershipRange(marks, &begin, &end));
+  PetscCall(PetscMalloc1(end - begin, &list));
+  PetscCall(VecGetArrayRead(marks, &met));
+  for (PetscInt i = 0; i < end - begin; i++)
+    if (met[i] != 0) list[num++] = begin + i;
+  PetscCall(VecRestoreArrayRead(marks, &met));
+  PetscCall(VecDestroy(&marks));
+  PetscCall(ISCreateGeneral(PetscObjectComm((PetscObject)W), num, list, PETSC_COPY_VALUES, columns));
+  PetscCall(PetscFree(list));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* W P of the few rows of P that count. [out] WP - owned by the caller */
+static PetscErrorCode TruncationUpdateMultiply_Private(Mat W, Mat P, Vec like, Mat *WP)
+{
+  PetscInt begin, end;
+  IS       rows, columns;
+  Mat      small, few;
+
+  PetscFunctionBeginUser;
+  PetscCall(TruncationUpdateListColumns_Private(W, like, &columns));
+  PetscCall(MatGetOwnershipRange(W, &begin, &end));
+  PetscCall(ISCreateStride(PetscObjectComm((PetscObject)W), end - begin, begin, 1, &rows));
+  PetscCall(MatCreateSubMatrix(W, rows, columns, MAT_INITIAL_MATRIX, &small));
+  PetscCall(MatCreateSubMatrix(P, columns, NULL, MAT_INITIAL_MATRIX, &few));
+  PetscCall(MatMatMult(small, few, MAT_INITIAL_MATRIX, PETSC_DEFAULT, WP));
+  PetscCall(MatProductClear(*WP)); // it would keep its factors
+  PetscCall(MatDestroy(&small));
+  PetscCall(MatDestroy(&few));
+  PetscCall(ISDestroy(&rows));
+  PetscCall(ISDestroy(&columns));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* (R P)'(W P) + (W P)'(R P). Collective. [out] product - owned by the caller */
+static PetscErrorCode TruncationUpdateRestrictChanged_Private(const Operator *op, const TruncationChange *change, Mat P,
+                                                              Mat *product)
+{
+  PetscInt num, begin, *rows, *all;
+  Mat      W, WP, left, right;
+
+  PetscFunctionBeginUser;
+  PetscCall(TruncationUpdateListChanged_Private(change, &num, &rows));
+  PetscCall(TruncationUpdateCreateRows_Private(op, change, num, rows, &W));
+  PetscCall(TruncationUpdateMultiply_Private(W, P, change->is, &WP));
+  PetscCall(MatGetOwnershipRange(WP, &begin, NULL));
+  PetscCall(PetscMalloc1(num, &all));
+  for (PetscInt i = 0; i < num; i++) all[i] = begin + i;
+  const RowList of_P = {.from = P, .num = num, .row = rows}, of_WP = {.from = WP, .num = num, .row = all};
+
+  PetscCall(FewRowsCreate(2, (RowList[]){of_P, of_WP}, &left));
+  PetscCall(FewRowsCreate(2, (RowList[]){of_WP, of_P}, &right));
+  PetscCall(TransposedProductCreate(left, right, product)); // both terms at once
+  PetscCall(MatDestroy(&left));
+  PetscCall(MatDestroy(&right));
+  PetscCall(MatDestroy(&WP));
+  PetscCall(MatDestroy(&W));
+  PetscCall(PetscFree(rows));
+  PetscCall(PetscFree(all));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -186,43 +363,46 @@ static PetscErrorCode TruncationUpdateAddDiagonal_Private(Vec W, Entries *entrie
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TruncationUpdateCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec W, Mat *update)
+/* P'M (dC + W) M P. [out] product - owned by the caller */
+static PetscErrorCode TruncationUpdateRestrictAll_Private(const TruncationChange *change, Mat P, Mat *product)
 {
   Entries  entries = {.num = 0};
   PetscInt n, N;
+  IS       rows;
+  Mat      all, small, few;
 
   PetscFunctionBeginUser;
-  PetscCall(TruncationUpdateAddChanged_Private(op->K, 1 / op->stiffness, was, is, &entries));
-  if (op->Z) PetscCall(TruncationUpdateAddChanged_Private(op->Z, 1, was, is, &entries));
-  if (C) PetscCall(TruncationUpdateAddChanged_Private(C, 1, was, is, &entries));
-  if (dC) PetscCall(TruncationUpdateAddAll_Private(dC, is, &entries));
-  if (W) PetscCall(TruncationUpdateAddDiagonal_Private(W, &entries));
-  PetscCall(MatGetLocalSize(op->K, &n, NULL));
-  PetscCall(MatGetSize(op->K, &N, NULL));
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), update));
-  PetscCall(MatSetSizes(*update, n, n, N, N));
-  PetscCall(MatSetType(*update, MATAIJ));
-  PetscCall(MatSetPreallocationCOO(*update, entries.num, entries.row, entries.column));
-  PetscCall(MatSetValuesCOO(*update, entries.value, ADD_VALUES));
-  PetscCall(PetscFree(entries.row));
-  PetscCall(PetscFree(entries.column));
-  PetscCall(PetscFree(entries.value));
+  if (change->dC) PetscCall(TruncationUpdateAddAll_Private(change->dC, change->is, &entries));
+  if (change->W) PetscCall(TruncationUpdateAddDiagonal_Private(change->W, &entries));
+  PetscCall(VecGetLocalSize(change->is, &n));
+  PetscCall(VecGetSize(change->is, &N));
+  PetscCall(MatCreate(PetscObjectComm((PetscObject)P), &all));
+  PetscCall(MatSetSizes(all, n, n, N, N));
+  PetscCall(MatSetType(all, MATAIJ));
+  PetscCall(MatSetPreallocationCOO(all, entries.num, entries.row, entries.column));
+  PetscCall(MatSetValuesCOO(all, entries.value, ADD_VALUES));
+  PetscCall(EntriesDestroy_Private(&entries));
+  PetscCall(TruncationUpdateListRows_Private(all, &rows)); // most rows are empty
+  PetscCall(MatCreateSubMatrix(all, rows, rows, MAT_INITIAL_MATRIX, &small));
+  PetscCall(MatCreateSubMatrix(P, rows, NULL, MAT_INITIAL_MATRIX, &few));
+  PetscCall(GalerkinProduct(small, few, product));
+  PetscCall(MatDestroy(&all));
+  PetscCall(MatDestroy(&small));
+  PetscCall(MatDestroy(&few));
+  PetscCall(ISDestroy(&rows));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product)
+PetscErrorCode TruncationUpdateRestrict(const Operator *op, const TruncationChange *change, Mat P, Mat *product)
 {
-  IS  is;
-  Mat small, few;
+  Mat all;
 
-  PetscFunctionBeginUser; /* most rows are empty: only the others, which are the columns as well */
-  PetscCall(TruncationUpdateListRows_Private(update, &is));
-  PetscCall(MatCreateSubMatrix(update, is, is, MAT_INITIAL_MATRIX, &small));
-  PetscCall(MatCreateSubMatrix(P, is, NULL, MAT_INITIAL_MATRIX, &few));
-  PetscCall(GalerkinProduct(small, few, product));
-  PetscCall(MatDestroy(&small));
-  PetscCall(MatDestroy(&few));
-  PetscCall(ISDestroy(&is));
+  PetscFunctionBeginUser;
+  PetscCall(TruncationUpdateRestrictChanged_Private(op, change, P, product));
+  if (!change->dC && !change->W) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(TruncationUpdateRestrictAll_Private(change, P, &all));
+  PetscCall(TruncationUpdateAdd(*product, all));
+  PetscCall(MatDestroy(&all));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -5,13 +5,17 @@
 
 #include "multigrid/operator.h"
 
-/* The change of M A M + M C M: nonzero where M or C change, in rows and columns. Collective.
-   [in] op - of A; [in] C - before the change, or NULL; [in] dC - its change, or NULL; [in] was, is - diagonal
-   of M, 1 or 0, before and after; [in] W - a diagonal that counts as a change as well, or NULL; [out] update
-   - owned by the caller */
-PetscErrorCode TruncationUpdateCreate(const Operator *op, Mat C, Mat dC, Vec was, Vec is, Vec W, Mat *update);
-/* P' update P. Collective. [out] product - owned by the caller */
-PetscErrorCode TruncationUpdateRestrict(Mat update, Mat P, Mat *product);
+/* What changes in M A M + M C M. */
+typedef struct {
+  Mat C, dC;   /* before the change, and its change; or NULL */
+  Vec was, is; /* diagonals of M, 1 or 0, before and after */
+  Vec W;       /* a diagonal that counts as a change as well, or NULL */
+} TruncationChange;
+
+/* P'X P of this change X. Collective.
+   [in] op - of A; [in] change - A and C are symmetric; [in] P - AIJ;
+   [out] product - AIJ, owned by the caller */
+PetscErrorCode TruncationUpdateRestrict(const Operator *op, const TruncationChange *change, Mat P, Mat *product);
 /* sum += X, whose nonzeros sum need not have. Collective. */
 PetscErrorCode TruncationUpdateAdd(Mat sum, Mat X);
 /* sum = X + change. Keeps the nonzeros of the last sum where they suffice: factors of it keep their ordering

@@ -1,44 +1,7 @@
 /* basisfactor.c -- see the header. */
 #include "problem/basisfactor.h"
 #include "base/compat.h"
-
-PetscErrorCode BasisFactorCreateRows(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few)
-{
-  const Mat    from[2] = {one, other};
-  const int    parts   = other ? 2 : 1;
-  PetscInt    *start, *column, n, N, count = 0;
-  PetscScalar *value;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(one, NULL, &n));
-  PetscCall(MatGetSize(one, NULL, &N));
-  PetscCall(PetscMalloc1(parts * num + 1, &start));
-  start[0] = 0;
-  for (int pass = 0; pass < 2; pass++) {
-    if (pass) PetscCall(PetscMalloc2(count, &column, count, &value));
-    count = 0;
-    for (PetscInt i = 0; i < parts * num; i++) {
-      PetscInt           size;
-      const PetscInt    *c;
-      const PetscScalar *v;
-
-      PetscCall(MatGetRow(from[i % parts], rows[i / parts], &size, &c, &v));
-      if (pass) PetscCall(PetscArraycpy(&column[count], c, size));
-      if (pass) PetscCall(PetscArraycpy(&value[count], v, size));
-      count += size;
-      start[i + 1] = count;
-      PetscCall(MatRestoreRow(from[i % parts], rows[i / parts], &size, &c, &v));
-    }
-  }
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)one), few));
-  PetscCall(MatSetSizes(*few, parts * num, n, PETSC_DETERMINE, N));
-  PetscCall(MatSetType(*few, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*few, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*few, start, column, value));
-  PetscCall(PetscFree(start));
-  PetscCall(PetscFree2(column, value));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
+#include "multigrid/fewrows.h"
 
 /* E = T - I without the zeros. */
 static PetscErrorCode BasisFactorCreateDifference_Private(Mat T, Mat *E)
@@ -107,7 +70,7 @@ PetscErrorCode BasisFactorCreate(Mat E, BasisFactor *factor)
 
   PetscFunctionBeginUser;
   PetscCall(BasisFactorListRows_Private(E, &num, &rows));
-  PetscCall(BasisFactorCreateRows(num, rows, E, NULL, &factor->few));
+  PetscCall(FewRowsCreate(1, &(RowList){.from = E, .num = num, .row = rows}, &factor->few));
   PetscCall(MatGetOwnershipRange(E, &begin, NULL));
   for (PetscInt i = 0; i < num; i++) rows[i] -= begin;
   PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, rows, PETSC_OWN_POINTER, &factor->rows));

@@ -18,9 +18,4 @@ PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E);
 /* Collective. */
 PetscErrorCode BasisFactorDestroy(BasisFactor *factor);
 
-/* Some rows of one matrix, or of two in turn: a matrix with as many columns. Collective.
-   [in] rows - of this rank [num]; other - NULL, or with as many rows and columns;
-   [out] few - AIJ, owned by the caller */
-PetscErrorCode BasisFactorCreateRows(PetscInt num, const PetscInt rows[], Mat one, Mat other, Mat *few);
-
 #endif

@@ -6,6 +6,7 @@
    mortar side and has one row for a node in contact. With all rows of these nodes it would take four times as
    long. */
 #include "base/compat.h"
+#include "multigrid/fewrows.h"
 #include "multigrid/transposedproduct.h"
 #include "problem/condensation.h"
 
@@ -24,9 +25,9 @@ static PetscErrorCode CondensationMultiply_Private(Mat K, Mat before, const Basi
   PetscCall(PetscMalloc1(num, &number));
   for (PetscInt i = 0; i < num; i++) number[i] = begin + row[i];
   PetscCall(ISRestoreIndices(factor->rows, &row));
-  PetscCall(BasisFactorCreateRows(num, number, K, NULL, &W));
+  PetscCall(FewRowsCreate(1, &(RowList){.from = K, .num = num, .row = number}, &W));
   if (before) {
-    PetscCall(BasisFactorCreateRows(num, number, before, NULL, &more));
+    PetscCall(FewRowsCreate(1, &(RowList){.from = before, .num = num, .row = number}, &more));
     PetscCall(MatAXPY(W, 1, more, DIFFERENT_NONZERO_PATTERN));
     PetscCall(MatDestroy(&more));
   }
@@ -37,8 +38,10 @@ static PetscErrorCode CondensationMultiply_Private(Mat K, Mat before, const Basi
   PetscCall(MatDestroy(&KE));
   PetscCall(MatGetOwnershipRange(W, &begin, NULL));
   for (PetscInt i = 0; i < num; i++) number[i] = begin + i;
-  PetscCall(BasisFactorCreateRows(num, number, factor->few, W, &left));
-  PetscCall(BasisFactorCreateRows(num, number, W, factor->few, &right));
+  const RowList of_E = {.from = factor->few, .num = num, .row = number}, of_W = {.from = W, .num = num, .row = number};
+
+  PetscCall(FewRowsCreate(2, (RowList[]){of_E, of_W}, &left));
+  PetscCall(FewRowsCreate(2, (RowList[]){of_W, of_E}, &right));
   PetscCall(TransposedProductCreate(left, right, Z)); // both terms at once
   PetscCall(MatDestroy(&left));
   PetscCall(MatDestroy(&right));
