@@ -1,6 +1,7 @@
 /* layout.c -- Vecs and matrices in the layout of a level's nodes. */
 #include "level/level.h"
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 
 PetscErrorCode LevelCreateVec(Level *level, PetscInt bs, Vec *v)
 {
@@ -58,12 +59,8 @@ PetscErrorCode LevelCreateBlocks(Mat P, PetscInt bs, Mat *blocks)
     }
     PetscCall(MatRestoreRow(P, row, &num, &c, &v));
   }
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)P), blocks));
-  PetscCall(MatSetSizes(*blocks, bs * rows, bs * columns, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetBlockSize(*blocks, bs));
-  PetscCall(MatSetType(*blocks, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*blocks, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*blocks, start, column, value));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)P),
+                            &(CSRRows){bs, bs * rows, bs * columns, start, column, value}, blocks));
   PetscCall(PetscFree3(start, column, value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

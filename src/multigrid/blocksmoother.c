@@ -13,6 +13,7 @@
    the block along all axes. Otherwise its factors would not be sparse, and it is split by a higher
    threshold. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "kernel/dense.h"
 #include "multigrid/blocksmoother.h"
 #include "multigrid/graphcomponents.h"
@@ -219,7 +220,6 @@ static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *gr
 {
   const GhostExchange *ghosts = stencil->ghosts;
   PetscInt            *start, *column;
-  PetscScalar         *ones;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(ghosts->n + 1, &start));
@@ -235,16 +235,10 @@ static PetscErrorCode BlockSmootherCreateGraph_Private(Stencil *stencil, Mat *gr
         column[start[i + 1]++] = at < ghosts->n ? ghosts->begin + at : ghosts->ghost[at - ghosts->n];
     }
   }
-  PetscCall(PetscMalloc1(start[ghosts->n], &ones));
-  for (PetscInt i = 0; i < start[ghosts->n]; i++) ones[i] = 1;
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)stencil->op->K), graph));
-  PetscCall(MatSetSizes(*graph, ghosts->n, ghosts->n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*graph, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*graph, start, column, ones)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*graph, start, column, ones));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)stencil->op->K),
+                            &(CSRRows){1, ghosts->n, ghosts->n, start, column, NULL}, graph));
   PetscCall(PetscFree(start));
   PetscCall(PetscFree(column));
-  PetscCall(PetscFree(ones));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -1,15 +1,15 @@
 /* fewrows.c -- see the header. */
 #include "multigrid/fewrows.h"
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 
 PetscErrorCode FewRowsCreate(PetscInt num_lists, const RowList lists[], Mat *few)
 {
-  PetscInt    *start, *column, num = 0, n, N, count = 0;
+  PetscInt    *start, *column, num = 0, n, count = 0;
   PetscScalar *value;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetLocalSize(lists[0].from, NULL, &n));
-  PetscCall(MatGetSize(lists[0].from, NULL, &N));
   for (PetscInt l = 0; l < num_lists; l++) num += lists[l].num;
   PetscCall(PetscMalloc1(num + 1, &start));
   start[0] = 0;
@@ -30,11 +30,8 @@ PetscErrorCode FewRowsCreate(PetscInt num_lists, const RowList lists[], Mat *few
       }
     }
   }
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)lists[0].from), few));
-  PetscCall(MatSetSizes(*few, num, n, PETSC_DETERMINE, N));
-  PetscCall(MatSetType(*few, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*few, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*few, start, column, value));
+  PetscCall(
+      CSRMatrixCreate(PetscObjectComm((PetscObject)lists[0].from), &(CSRRows){1, num, n, start, column, value}, few));
   PetscCall(PetscFree(start));
   PetscCall(PetscFree2(column, value));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -8,6 +8,7 @@
 
    References: [1] Adams, Demmel, Parallel multigrid solver for 3D unstructured finite element problems,
    1999. */
+#include "base/csrmatrix.h"
 #include "multigrid/barycentric.h"
 #include "multigrid/ghostexchange.h"
 #include "multigrid/nodecoarsening.h"
@@ -333,11 +334,8 @@ static PetscErrorCode NodeCoarseningCreateP_Private(const NodeSet *nodes, Net *n
       start[dim * i + k + 1] = at;
     }
   }
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)nodes->A), P));
-  PetscCall(MatSetSizes(*P, dim * n, dim * num, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*P, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*P, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*P, start, column, value));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)nodes->A),
+                            &(CSRRows){1, dim * n, dim * num, start, column, value}, P));
   PetscCall(PetscFree3(start, column, value));
   PetscCall(PetscFree(fixed));
   PetscFunctionReturn(PETSC_SUCCESS);

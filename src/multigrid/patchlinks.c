@@ -4,6 +4,7 @@
    these nodes alone a patch can hardly keep it: they are fixed to the mortar side where they touch. With all
    nodes of these cells it can. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "multigrid/patchlinks.h"
 
 /* A graph of nodes, as a matrix of ones. Collective. [in] start, column - its rows, which are freed [n + 1];
@@ -11,19 +12,10 @@
 static PetscErrorCode PatchLinksCreateGraph_Private(MPI_Comm comm, PetscInt n, PetscInt *start, PetscInt *column,
                                                     Mat *graph)
 {
-  PetscScalar *ones;
-
   PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(start[n], &ones));
-  for (PetscInt j = 0; j < start[n]; j++) ones[j] = 1;
-  PetscCall(MatCreate(comm, graph));
-  PetscCall(MatSetSizes(*graph, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*graph, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*graph, start, column, ones)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*graph, start, column, ones));
+  PetscCall(CSRMatrixCreate(comm, &(CSRRows){1, n, n, start, column, NULL}, graph));
   PetscCall(PetscFree(start));
   PetscCall(PetscFree(column));
-  PetscCall(PetscFree(ones));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

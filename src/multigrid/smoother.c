@@ -11,6 +11,7 @@
 
    References: [1] Trottenberg, Oosterlee, Schueller, Multigrid, 2001, section 5.1. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "multigrid/bodysmoother.h"
 #include "multigrid/blocksmoother.h"
 #include "multigrid/dealtfactor.h"
@@ -81,12 +82,7 @@ static PetscErrorCode SmootherCreateBlocks_Private(const Operator *op, const Gho
       PetscCall(SmootherGetRow_Private(op, ghosts, label, i, &num, &column[start[i]], &value[start[i]]));
   }
   PetscCall(VecRestoreArrayRead(op->diagonal, &diagonal));
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), S));
-  PetscCall(MatSetSizes(*S, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetBlockSize(*S, op->dim));
-  PetscCall(MatSetType(*S, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*S, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*S, start, column, value));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)op->K), &(CSRRows){op->dim, n, n, start, column, value}, S));
   PetscCall(PetscFree(start));
   PetscCall(PetscFree2(column, value));
   PetscFunctionReturn(PETSC_SUCCESS);

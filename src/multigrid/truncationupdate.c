@@ -5,6 +5,7 @@
    a vector, and W have all entries of the change in rows a, those in columns a halved. Then the change is R'W
    + W'R, and its coarse operator (R P)'(W P) + (W P)'(R P): no rows but these are multiplied. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "multigrid/fewrows.h"
 #include "multigrid/galerkin.h"
 #include "multigrid/transposedproduct.h"
@@ -190,7 +191,7 @@ static PetscErrorCode TruncationUpdateCreateRows_Private(const Operator *op, con
   Term terms[TERMS] = {
       {.X = op->K, .factor = 1 / op->stiffness}, {.X = op->Z, .factor = 1}, {.X = change->C, .factor = 1}};
   Entries  entries = {.num = 0};
-  PetscInt n, N, *start;
+  PetscInt n, *start;
 
   PetscFunctionBeginUser;
   for (int t = 0; t < TERMS; t++)
@@ -207,12 +208,8 @@ static PetscErrorCode TruncationUpdateCreateRows_Private(const Operator *op, con
   for (int t = 0; t < TERMS; t++)
     if (terms[t].X) PetscCall(TruncationUpdateEndStates_Private(change->was, change->is, &terms[t].states));
   PetscCall(MatGetLocalSize(op->K, &n, NULL));
-  PetscCall(MatGetSize(op->K, &N, NULL));
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)op->K), W));
-  PetscCall(MatSetSizes(*W, num, n, PETSC_DETERMINE, N));
-  PetscCall(MatSetType(*W, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*W, start, entries.column, entries.value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*W, start, entries.column, entries.value));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)op->K),
+                            &(CSRRows){1, num, n, start, entries.column, entries.value}, W));
   PetscCall(PetscFree(start));
   PetscCall(EntriesDestroy_Private(&entries));
   PetscFunctionReturn(PETSC_SUCCESS);

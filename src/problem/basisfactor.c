@@ -1,6 +1,7 @@
 /* basisfactor.c -- see the header. */
 #include "problem/basisfactor.h"
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "multigrid/fewrows.h"
 
 /* E = T - I without the zeros. */
@@ -90,7 +91,7 @@ PetscErrorCode BasisFactorCreateOf(Mat T, BasisFactor *factor)
 
 PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E)
 {
-  PetscInt           n, N, num, begin, size, *start, *column, row = 0;
+  PetscInt           n, num, begin, size, *start, *column, row = 0;
   const PetscInt    *rows, *columns;
   PetscScalar       *value;
   const PetscScalar *values;
@@ -98,7 +99,6 @@ PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E)
 
   PetscFunctionBeginUser;
   PetscCall(MatGetLocalSize(factor->few, NULL, &n));
-  PetscCall(MatGetSize(factor->few, NULL, &N));
   PetscCall(MatGetOwnershipRange(factor->few, &begin, NULL));
   PetscCall(MatGetInfo(factor->few, MAT_LOCAL, &info));
   PetscCall(PetscMalloc3(n + 1, &start, (PetscInt)info.nz_used, &column, (PetscInt)info.nz_used, &value));
@@ -116,11 +116,7 @@ PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E)
   }
   for (; row < n; row++) start[row + 1] = start[row];
   PetscCall(ISRestoreIndices(factor->rows, &rows));
-  PetscCall(MatCreate(PetscObjectComm((PetscObject)factor->few), E));
-  PetscCall(MatSetSizes(*E, n, n, N, N));
-  PetscCall(MatSetType(*E, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*E, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*E, start, column, value));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)factor->few), &(CSRRows){1, n, n, start, column, value}, E));
   PetscCall(PetscFree3(start, column, value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

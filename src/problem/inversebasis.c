@@ -4,95 +4,126 @@
    y = T^-1 u needs no series. With u~ = S^-1 u (eq. 6.1), unknowns of multipliers are (B u)_row / D_row, the
    others of special nodes F u~, all others u~. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "problem/basischange.h"
 
-/* The data of the rows of T^-1. */
+/* The data of the rows of T^-1, and the entries that they have so far. */
 typedef struct {
-  VI        vi;
-  Mat       unshift; /* S^-1 - I or NULL */
-  PetscInt *row;     /* of B, for every unknown of this rank, global; -1 where there is none */
-} Source;
+  VI           vi;
+  Mat          unshift; /* S^-1 - I or NULL */
+  PetscInt    *row;     /* of B, for every unknown of this rank, global; -1 where there is none */
+  PetscInt     num, max;
+  PetscInt    *column; /* [num; max] */
+  PetscScalar *value;  /* [num; max] */
+} InverseRows;
 
-/* Adds F_r (I + unshift) at one node, or sums up how many entries that has. [in] W - NULL to count */
-static PetscErrorCode InverseBasisAddFrame_Private(const Source *source, PetscInt node, PetscInt r, const PetscReal F[],
-                                                   Mat W, PetscInt *count)
+/* Appends entries, scaled. */
+static PetscErrorCode InverseRowsAppend_Private(InverseRows *rows, PetscInt num, const PetscInt columns[],
+                                                const PetscScalar values[], PetscScalar scale)
 {
-  const PetscInt dim = source->vi->level->dim, first = dim * (source->vi->level->node_begin + node), row = first + r;
-
   PetscFunctionBeginUser;
-  for (PetscInt k = 0; k < dim; k++) {
-    const PetscScalar  f   = F ? F[r * dim + k] : (PetscReal)(r == k);
-    PetscInt           num = 0;
-    const PetscInt    *columns;
-    const PetscScalar *values;
-
-    if (f == 0) continue;
-    *count += 1;
-    if (W) PetscCall(MatSetValue(W, row, first + k, f, ADD_VALUES));
-    if (!source->unshift) continue;
-    PetscCall(MatGetRow(source->unshift, first + k, &num, &columns, &values));
-    *count += num;
-    for (PetscInt c = 0; W && c < num; c++) PetscCall(MatSetValue(W, row, columns[c], f * values[c], ADD_VALUES));
-    PetscCall(MatRestoreRow(source->unshift, first + k, &num, &columns, &values));
+  if (rows->num + num > rows->max) {
+    rows->max = 2 * (rows->num + num);
+    PetscCall(PetscRealloc(sizeof(*rows->column) * rows->max, &rows->column));
+    PetscCall(PetscRealloc(sizeof(*rows->value) * rows->max, &rows->value));
+  }
+  for (PetscInt c = 0; c < num; c++) {
+    rows->column[rows->num]  = columns[c];
+    rows->value[rows->num++] = scale * values[c];
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds one row of T^-1, or counts its entries. */
-static PetscErrorCode InverseBasisAddRow_Private(const Source *source, PetscInt node, PetscInt r, Mat W,
-                                                 PetscInt *count)
+/* Appends F_r (I + unshift) at one node. [in] F - NULL: 1 */
+static PetscErrorCode InverseRowsAddFrame_Private(InverseRows *rows, PetscInt node, PetscInt r, const PetscReal F[])
 {
-  const VI         vi    = source->vi;
-  const NodeBases *bases = &vi->basis->bases;
-  const PetscInt dim = vi->level->dim, s = bases->of_node[node], unknown = dim * vi->level->node_begin + dim * node + r,
-                 row = source->row[dim * node + r];
+  const PetscInt    dim = rows->vi->level->dim, first = dim * (rows->vi->level->node_begin + node);
+  const PetscScalar one = 1;
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < dim; k++) {
+    const PetscScalar  f       = F ? F[r * dim + k] : (PetscReal)(r == k);
+    const PetscInt     unknown = first + k;
+    PetscInt           num     = 0;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    if (f == 0) continue;
+    PetscCall(InverseRowsAppend_Private(rows, 1, &unknown, &one, f));
+    if (!rows->unshift) continue;
+    PetscCall(MatGetRow(rows->unshift, unknown, &num, &columns, &values));
+    PetscCall(InverseRowsAppend_Private(rows, num, columns, values, f));
+    PetscCall(MatRestoreRow(rows->unshift, unknown, &num, &columns, &values));
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Adds up entries of the same column from `begin` on. */
+static PetscErrorCode InverseRowsMerge_Private(InverseRows *rows, PetscInt begin)
+{
+  PetscInt last = begin;
+
+  PetscFunctionBeginUser;
+  if (rows->num <= begin + 1) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSortIntWithScalarArray(rows->num - begin, &rows->column[begin], &rows->value[begin]));
+  for (PetscInt k = begin + 1; k < rows->num; k++) {
+    if (rows->column[k] == rows->column[last]) {
+      rows->value[last] += rows->value[k];
+    } else {
+      rows->column[++last] = rows->column[k];
+      rows->value[last]    = rows->value[k];
+    }
+  }
+  rows->num = last + 1;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Appends one row of T^-1. */
+static PetscErrorCode InverseRowsAdd_Private(InverseRows *rows, PetscInt node, PetscInt r)
+{
+  const VI           vi    = rows->vi;
+  const NodeBases   *bases = &vi->basis->bases;
+  const PetscInt     dim = vi->level->dim, s = bases->of_node[node], row = rows->row[dim * node + r], at = rows->num;
   PetscInt           num, begin;
   const PetscInt    *columns;
   const PetscScalar *values;
 
   PetscFunctionBeginUser;
   if (row < 0) {
-    PetscCall(InverseBasisAddFrame_Private(source, node, r, s < 0 ? NULL : &bases->F[s * dim * dim], W, count));
+    PetscCall(InverseRowsAddFrame_Private(rows, node, r, s < 0 ? NULL : &bases->F[s * dim * dim]));
+    PetscCall(InverseRowsMerge_Private(rows, at));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(MatGetOwnershipRange(vi->B, &begin, NULL));
   PetscCall(MatGetRow(vi->B, row, &num, &columns, &values));
-  *count += num;
-  for (PetscInt c = 0; W && c < num; c++)
-    PetscCall(MatSetValue(W, unknown, columns[c], values[c] / vi->row_D[row - begin], ADD_VALUES));
+  PetscCall(InverseRowsAppend_Private(rows, num, columns, values, 1));
   PetscCall(MatRestoreRow(vi->B, row, &num, &columns, &values));
+  for (PetscInt k = at; k < rows->num; k++) rows->value[k] /= vi->row_D[row - begin];
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse)
 {
-  const PetscInt dim = vi->level->dim, n = dim * vi->level->num_owned, N = dim * vi->level->num_global;
-  Source         source = {.vi = vi, .unshift = vi->basis->couplings.unshift};
-  PetscInt      *d_nnz, *o_nnz, begin = 0;
+  const PetscInt dim = vi->level->dim, n = dim * vi->level->num_owned;
+  InverseRows    rows  = {.vi = vi, .unshift = vi->basis->couplings.unshift};
+  PetscInt       begin = 0, *start;
 
   PetscFunctionBeginUser;
   *inverse = NULL;
   if (!vi->T) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc3(n, &source.row, n, &d_nnz, n, &o_nnz));
-  for (PetscInt i = 0; i < n; i++) source.row[i] = -1;
+  PetscCall(PetscMalloc2(n, &rows.row, n + 1, &start));
+  for (PetscInt i = 0; i < n; i++) rows.row[i] = -1;
   if (vi->B) PetscCall(MatGetOwnershipRange(vi->B, &begin, NULL));
-  for (PetscInt r = 0; r < vi->num_rows; r++) source.row[vi->row_dof[r] - dim * vi->level->node_begin] = begin + r;
+  for (PetscInt r = 0; r < vi->num_rows; r++) rows.row[vi->row_dof[r] - dim * vi->level->node_begin] = begin + r;
+  start[0] = 0;
   for (PetscInt i = 0; i < n; i++) {
-    PetscInt count = 0;
-
-    PetscCall(InverseBasisAddRow_Private(&source, i / dim, i % dim, NULL, &count));
-    d_nnz[i] = PetscMin(count, n);
-    o_nnz[i] = PetscMin(count, N - n);
+    PetscCall(InverseRowsAdd_Private(&rows, i / dim, i % dim));
+    start[i + 1] = rows.num;
   }
-  PetscCall(MatCreateAIJ(vi->level->comm, n, n, N, N, 0, d_nnz, 0, o_nnz, inverse));
-  for (PetscInt i = 0; i < n; i++) {
-    PetscInt count = 0;
-
-    PetscCall(InverseBasisAddRow_Private(&source, i / dim, i % dim, *inverse, &count));
-  }
-  PetscCall(MatAssemblyBegin(*inverse, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*inverse, MAT_FINAL_ASSEMBLY));
-  PetscCall(PetscFree3(source.row, d_nnz, o_nnz));
+  PetscCall(CSRMatrixCreate(vi->level->comm, &(CSRRows){1, n, n, start, rows.column, rows.value}, inverse));
+  PetscCall(PetscFree2(rows.row, start));
+  PetscCall(PetscFree(rows.column));
+  PetscCall(PetscFree(rows.value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

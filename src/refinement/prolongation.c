@@ -6,6 +6,7 @@
    order. Polynomials of the lower of both orders are reproduced exactly on straight cells. */
 #include "refinement/refinementimpl.h"
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 
 /* A Mat under assembly whose rows are this rank's nodes. */
 typedef struct {
@@ -45,11 +46,8 @@ static PetscErrorCode RowsSet_Private(Rows *rows, PetscInt i, const Level *from,
 static PetscErrorCode RowsToMat_Private(Rows *rows, const Level *from, const Level *to, Mat *P)
 {
   PetscFunctionBeginUser;
-  PetscCall(MatCreate(to->comm, P));
-  PetscCall(MatSetSizes(*P, to->num_owned, from->num_owned, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetType(*P, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*P, rows->start, rows->columns, rows->values)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*P, rows->start, rows->columns, rows->values));
+  PetscCall(CSRMatrixCreate(
+      to->comm, &(CSRRows){1, to->num_owned, from->num_owned, rows->start, rows->columns, rows->values}, P));
   PetscCall(PetscFree3(rows->start, rows->columns, rows->values));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

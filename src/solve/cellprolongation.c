@@ -9,6 +9,7 @@
    References: [1] Schoeberl, Multigrid methods for a parameter dependent problem in primal variables,
    1999. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "kernel/dense.h"
 #include "problem/elasticity.h"
 #include "solve/cellprolongation.h"
@@ -252,8 +253,7 @@ static PetscErrorCode RowCopy_Private(Mat P, PetscInt row, PetscInt *num, PetscI
 }
 
 /* A matrix in place of P, of the same layout. [in] start, column, value - its rows on this rank */
-static PetscErrorCode RowsReplace_Private(PetscInt bs, const PetscInt start[], const PetscInt column[],
-                                          const PetscScalar value[], Mat *P)
+static PetscErrorCode RowsReplace_Private(PetscInt bs, PetscInt start[], PetscInt column[], PetscScalar value[], Mat *P)
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)*P);
   PetscInt       rows, width;
@@ -261,12 +261,7 @@ static PetscErrorCode RowsReplace_Private(PetscInt bs, const PetscInt start[], c
   PetscFunctionBeginUser;
   PetscCall(MatGetLocalSize(*P, &rows, &width));
   PetscCall(MatDestroy(P));
-  PetscCall(MatCreate(comm, P));
-  PetscCall(MatSetSizes(*P, rows, width, PETSC_DETERMINE, PETSC_DETERMINE));
-  PetscCall(MatSetBlockSize(*P, bs));
-  PetscCall(MatSetType(*P, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(*P, start, column, value)); // one of the two does nothing
-  PetscCall(MatMPIAIJSetPreallocationCSR(*P, start, column, value));
+  PetscCall(CSRMatrixCreate(comm, &(CSRRows){bs, rows, width, start, column, value}, P));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

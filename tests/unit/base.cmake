@@ -1,3 +1,4 @@
+mortise_unit(csrmatrix LAYER base RANKS 1 3)
 mortise_unit(fault LAYER base RANKS 1 3)
 mortise_unit(options LAYER base RANKS 1 2)
 mortise_unit(expression LAYER base RANKS 1 2)

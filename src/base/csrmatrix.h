@@ -1,0 +1,20 @@
+/* csrmatrix.h -- matrices from compressed rows. */
+#ifndef MORTISE_CSRMATRIX_H
+#define MORTISE_CSRMATRIX_H
+
+#include <petscmat.h>
+
+/* Compressed rows of this rank. */
+typedef struct {
+  PetscInt     bs;             /* block size of the matrix */
+  PetscInt     m, n;           /* rows and columns of this rank */
+  PetscInt    *start, *column; /* global columns, each once in a row, in any order [m + 1], [start[m]] */
+  PetscScalar *value;          /* [start[m]]; NULL: all are 1, as of a graph */
+} CSRRows;
+
+/* An AIJ matrix with these rows. Collective.
+   [in,out] rows - borrowed; columns of a row become ascending;
+   [out] A - owned by the caller */
+PetscErrorCode CSRMatrixCreate(MPI_Comm comm, CSRRows *rows, Mat *A);
+
+#endif
