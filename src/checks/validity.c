@@ -11,9 +11,12 @@ static const struct {
   const char *name, *what;
   PetscReal   green, red;
 } KINDS[VALIDITY_COUNT] = {
-    {"strain", "neglected share of the strain", 0.01, 0.05},       {"rotation", "rotation", 0.02, 0.1},
-    {"gap", "error of the gap", VALIDITY_GREEN_GAP, 0.05},         {"slip_cell", "slip over facet", 0.5, 2},
-    {"slip_contact", "slip over width of the contact", 0.02, 0.1}, {"normal", "turn of normals", 0.02, 0.1},
+    {"strain", "neglected share of the strain", 0.01, 0.05},
+    {"rotation", "rotation", 0.02, 0.1},
+    {"gap", "error of the gap", VALIDITY_GREEN_GAP, 0.05},
+    {"slip_cell", "slip over facet", 0.5, 2},
+    {"slip_contact", "slip over the sizes of the contact", 0.02, 0.1},
+    {"normal", "turn of normals", 0.02, 0.1},
 };
 static const char *const COLOURS[] = {"unknown", "green", "amber", "red"};
 /* Gaps below this part of the displacements are closed. */

@@ -13,8 +13,8 @@ typedef enum {
   VALIDITY_STRAIN,       /* |1/2 grad u' grad u| / |eps|, quantiles: the part of Green's strain that is left out */
   VALIDITY_ROTATION,     /* rotation, a quantile, radians */
   VALIDITY_GAP,          /* largest |deformed gap - linearized gap| over the largest displacement or gap of the pair */
-  VALIDITY_SLIP_CELL,    /* largest slip in contact over the shortest facet edge there, or 1/20 of the patch's width */
-  VALIDITY_SLIP_CONTACT, /* largest slip in contact over the width of its patch */
+  VALIDITY_SLIP_CELL,    /* largest slip in contact over the shortest facet edge there, or 20 times the next */
+  VALIDITY_SLIP_CONTACT, /* largest slip in contact over the sizes of its patch and sides (slippatch.h) */
   VALIDITY_NORMAL,       /* largest turn of a normal of a nonmortar side, radians */
   VALIDITY_COUNT
 } ValidityKind;

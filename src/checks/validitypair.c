@@ -7,6 +7,7 @@
 #include "kernel/vector.h"
 #include "checks/contactpatches.h"
 #include "checks/slip.h"
+#include "checks/slippatch.h"
 
 /* Less than this part of an error grows with the square of the displacements: it is of the mesh. */
 static const PetscReal SQUARE_PART = 0.25;
@@ -15,7 +16,7 @@ static const PetscReal SQUARE_PART = 0.25;
 static const PetscReal RIM_PART = 0.5;
 /* A scale below this part of the displacements is rounding. */
 static const PetscReal SCALE_ROUNDING = 1e-6;
-/* A slip of two facets is no limit on a patch that is wider than this number of them: the patch is. */
+/* A slip of two facets is no limit where the patch and its sides are longer than this number of them. */
 static const PetscReal WIDE_PATCH = 20;
 /* Displacements are halved so many times to find the partner that a node has slid off. */
 enum { MAX_HALVES = 6 };
@@ -189,27 +190,31 @@ PetscErrorCode ValidityPairMeasure(Fields fields, PetscInt p, PetscReal strain, 
   const PetscInt dim  = pair->level->dim;
   ContactPatches patches;
   PairState      state;
+  SlipPatch     *slips;
 
   PetscFunctionBeginUser;
   PetscCall(ContactPatchesCreate(fields, p, &patches));
   PetscCall(PairStateCreate_Private(fields, p, &patches, &state));
+  PetscCall(SlipPatchesCreate(fields, p, &patches, state.patch, state.force, state.tangential, &slips));
   PetscCall(PairStateSetScale_Private(fields, pair, strain, &state));
   PetscCall(PairStateMeasureGaps_Private(fields, pair, &state));
   PetscCall(PairStateOmitLinear_Private(fields, pair, &state));
   for (PetscInt a = 0; a < pair->num; a++) {
     const PetscReal *x    = &pair->level->coords[pair->nodes[a] * dim];
     const PetscReal  slip = VectorNorm(dim, &state.tangential[a * dim]);
-    PetscReal        width;
+    PetscReal        width, share;
 
     LargestTake(&largest[VALIDITY_NORMAL], state.turn[a], dim, x, p);
     if (!PetscIsNanReal(state.error[a]) && state.scale > 0)
       LargestTake(&largest[VALIDITY_GAP], PetscAbsReal(state.error[a]) / state.scale, dim, x, p);
     if (state.patch[a] < 0) continue;
     width = PetscMax(patches.patch[state.patch[a]].width, state.size[a]); // a node alone has no extent
-    LargestTake(&largest[VALIDITY_SLIP_CELL], slip / PetscMax(state.size[a], width / WIDE_PATCH), dim, x, p);
-    LargestTake(&largest[VALIDITY_SLIP_CONTACT], slip / width, dim, x, p);
+    share = SlipPatchCompare(&slips[state.patch[a]], dim, &state.tangential[a * dim], width);
+    LargestTake(&largest[VALIDITY_SLIP_CELL], PetscMin(slip / state.size[a], WIDE_PATCH * share), dim, x, p);
+    LargestTake(&largest[VALIDITY_SLIP_CONTACT], share, dim, x, p);
     if (!ScenePairHasFriction(pair->spec)) *sliding += state.force[a] * slip;
   }
+  PetscCall(PetscFree(slips));
   PetscCall(PairStateDestroy_Private(&state));
   PetscCall(ContactPatchesDestroy(&patches));
   PetscFunctionReturn(PETSC_SUCCESS);
