@@ -35,6 +35,12 @@ static const PetscReal EXPONENT_SHOWS = 0.01375;
    contact. */
 static const PetscReal FORCE_ROUNDING = 64 * PETSC_MACHINE_EPSILON;
 
+/* A doubt of the gap shows above this part of the displacements: two contacts of a body
+   then have a tenth of a force that these cause. */
+static const PetscReal DOUBT_SHOWS = 0.05;
+/* The rise of a parabola over a facet, as a part of its mean at both neighbours of a node where it is 0. */
+static const PetscReal RISE_PART = 0.25;
+
 enum { F = ELEMENT_MAX_FACET_NODES };
 /* How a patch ends across its narrow axis: inside the nonmortar side, at an edge of that, at the end of the
    partner, at a plane of symmetry; and the largest angle of the nonmortar body at its edges. */
@@ -151,6 +157,63 @@ static PetscErrorCode CoarseContactGetEnds_Private(Fields fields, PetscInt p, Ve
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Adds the gaps of open nodes beside the patch on the facets of this rank. [in] marks, gaps - at local nodes;
+   [in,out] sum - number and sum */
+static void CoarseContactSumGaps_Private(const Facets *facets, const PetscScalar marks[], const PetscScalar gaps[],
+                                         PetscReal sum[2])
+{
+  for (PetscInt f = 0; f < facets->num; f++) {
+    const PetscInt *nodes = &facets->nodes[f * F], num = ElementNumNodes(facets->type[f]);
+    PetscBool       touches = PETSC_FALSE;
+
+    for (PetscInt i = 0; i < num; i++) touches = (PetscBool)(touches || PetscRealPart(marks[nodes[i]]) == NODE_IN);
+    for (PetscInt i = 0; i < num && touches; i++) {
+      if (PetscRealPart(marks[nodes[i]]) != NODE_OUT) continue;
+      sum[0] += 1;
+      sum[1] += PetscRealPart(gaps[nodes[i]]);
+    }
+  }
+}
+
+/* How far sides of first order that touch at one node may do so too early or too late. Their least gap is
+   anywhere on the facets around it. The node sees it too small or too large by the rise of the gap over a
+   facet. The gaps of the solution at the nodes beside it tell that. Collective.
+   [out] doubt - 0 where it does not show */
+static PetscErrorCode CoarseContactGetDoubt_Private(Fields fields, PetscInt p, Vec marks, PetscReal *doubt)
+{
+  const VI           vi     = fields->vi;
+  const Pair         pair   = vi->pairs[p];
+  Level             *level  = vi->level;
+  PetscReal          sum[2] = {0, 0}, moved;
+  const PetscScalar *slack, *mark;
+  PetscScalar       *gap;
+  Facets             facets;
+  Vec                gaps;
+
+  PetscFunctionBeginUser;
+  PetscCall(LevelCreateVec(level, 1, &gaps));
+  PetscCall(VecGetArray(gaps, &gap));
+  PetscCall(VecGetArrayRead(fields->slack, &slack));
+  for (PetscInt r = 0; r < vi->num_rows; r++)
+    if (vi->row_pair[r] == p && vi->row_direction[r] == 0) gap[pair->nodes[vi->row_node[r]]] = slack[r];
+  PetscCall(VecRestoreArrayRead(fields->slack, &slack));
+  PetscCall(VecRestoreArray(gaps, &gap));
+  PetscCall(LevelShareVec(gaps, INSERT_VALUES));
+  PetscCall(LevelGetFacets(level, vi->scene, pair->spec->nonmortar.body, pair->spec->nonmortar.side, &facets));
+  PetscCall(GhostedGetArrayRead(marks, &mark));
+  PetscCall(GhostedGetArrayRead(gaps, (const PetscScalar **)&gap));
+  CoarseContactSumGaps_Private(&facets, mark, gap, sum);
+  PetscCall(GhostedRestoreArrayRead(gaps, (const PetscScalar **)&gap));
+  PetscCall(GhostedRestoreArrayRead(marks, &mark));
+  PetscCall(FacetsDestroy(&facets));
+  PetscCall(VecDestroy(&gaps));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPIU_REAL, MPIU_SUM, level->comm));
+  PetscCall(VecNorm(fields->u, NORM_INFINITY, &moved));
+  *doubt = sum[0] > 0 ? RISE_PART * sum[1] / sum[0] : 0;
+  if (*doubt <= DOUBT_SHOWS * moved) *doubt = 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Whether the mortar side continues beyond the end of the nonmortar side, so that the pressure there is
    unbounded. Without friction the angle must be large enough for that. Collective.
    [in] angle - of the nonmortar body at this end */
@@ -193,6 +256,7 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
 
     PetscCall(CoarseContactMark_Private(fields, p, &patches, at, &marks));
     PetscCall(CoarseContactGetEnds_Private(fields, p, marks, patch, ends));
+    if (order == 1 && patch->nodes == 1) PetscCall(CoarseContactGetDoubt_Private(fields, p, marks, &found->doubt));
     PetscCall(VecDestroy(&marks));
     twice         = ends[IS_MIRRORED] > 0 ? 2 : 1;
     found->facets = twice * patch->facets;

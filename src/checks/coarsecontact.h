@@ -10,6 +10,7 @@ typedef struct {
   PetscBool edge;   /* it reaches an edge of a body as well: the pressure there is unbounded */
   PetscReal facets; /* its width in facets of the nonmortar side; at a plane of symmetry, of both halves */
   PetscReal size;   /* length of facets that would resolve it, as far as its width is known */
+  PetscReal doubt;  /* how much too early or too late one node of order 1 may touch; 0 beside large displacements */
   PetscReal at[3];  /* its centre */
 } CoarseContact;
 

@@ -143,6 +143,11 @@ static void LevelDescribeCell_Private(const Level *level, PetscInt cell, char se
     }
     used += (size_t)snprintf(sentence + used, SENTENCE - used, ")");
   }
+  if (body->curved_file)
+    used +=
+        (size_t)snprintf(sentence + used, SENTENCE - used,
+                         "; Gmsh mends cells of second order by Mesh.HighOrderOptimize = 2, and makes them straight by "
+                         "Mesh.SecondOrderLinear = 1");
   if (body->arcs)
     snprintf(sentence + used, SENTENCE - used,
              "; sides in contact are taken for smooth, and -%s_polygonal 1 keeps the %s of its file", body->name,

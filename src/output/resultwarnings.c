@@ -161,7 +161,7 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
   const PetscBool    holds = (PetscBool)(ScenePairHasFriction(in->vi->pairs[p]->spec) && in->vi->rigid_modes.num);
   PetscBool          jumps = PETSC_FALSE;
   PetscReal          overlap, where[3];
-  char               text[128], advice[256], facets[32];
+  char               text[128], advice[256], facets[32], force[128] = "";
 
   PetscFunctionBeginUser;
   PetscCall(CoarseContactFind(in->fields, p, &found));
@@ -189,9 +189,14 @@ static PetscErrorCode SummaryWarnCoarseContact_Private(const SummaryInput *in, P
                    "refinement",
                    name, facets, text));
   } else {
-    (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s", (double)found.size, text);
-    PetscCall(WarningAdd(&coarse, "the contact of %s is %s wide, and its largest pressure is not resolved%s", name,
-                         facets, holds ? ", nor the friction that holds bodies there" : ""));
+    (void)snprintf(advice, sizeof(advice), "refine to cells of h <= %.2g near %s%s", (double)found.size, text,
+                   found.doubt > 0 ? ", or take order 2" : "");
+    if (found.doubt > 0)
+      (void)snprintf(force, sizeof(force),
+                     ", nor a force that displacements cause: bodies may touch by %.2g too early or too late",
+                     (double)found.doubt);
+    PetscCall(WarningAdd(&coarse, "the contact of %s is %s wide, and its largest pressure is not resolved%s%s", name,
+                         facets, holds ? ", nor the friction that holds bodies there" : "", force));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
