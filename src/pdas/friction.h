@@ -32,7 +32,7 @@ typedef struct {
   PetscBool others;    /* an odd number of its eigenvalues are real and above 1: held bodies have other solutions */
   PetscInt  shortened; /* Newton steps that were shortened */
   PetscBool coarser;   /* rho is that of the coarser mesh */
-  PetscReal coupling;  /* of friction with itself by pressures, all nodes closed (eq. 16.8b); PETSC_MAX_REAL: unknown */
+  PetscReal coupling, turning; /* of friction with itself by pressures (eq. 16.8d); PETSC_MAX_REAL: no bound */
 } FrictionReport;
 
 /* Sets the friction law of the bounded unknowns of a SNES of type pdas. Its linear systems are dense: reduced
@@ -47,7 +47,7 @@ PetscErrorCode PDASSetFrictionTolerance(SNES snes, PetscReal rtol);
 /* What the next solve must do for rho. Not collective. [in] needed - whether it is wanted; default: yes;
    [in] coarser - results on the mesh whose states are the initial ones of that solve alone, NULL for none */
 PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionReport *coarser);
-/* Whether the next solves find the coupling; default: no. Collective. */
+/* Whether the next solves find the coupling, if their systems are dense; default: no. Collective. */
 PetscErrorCode PDASSetFrictionCoupling(SNES snes, PetscBool needed);
 /* Results of the last solve; zero without friction. Not collective, the same on all ranks. */
 PetscErrorCode PDASGetFriction(SNES snes, FrictionReport *report);

@@ -152,8 +152,6 @@ PetscErrorCode FrictionSystemSolve(FrictionProblem *problem);
 PetscErrorCode FrictionSystemFactorGiven(FrictionProblem *problem);
 /* w = coefficient d r_n / d G v at the units that slip. [in] v - [num]; [out] w - [num] */
 PetscErrorCode FrictionSystemGrow(FrictionProblem *problem, const PetscReal v[], PetscReal w[]);
-/* The same by the transposed map. */
-PetscErrorCode FrictionSystemGrowTransposed(FrictionProblem *problem, const PetscReal v[], PetscReal w[]);
 
 /* Result of a Newton step, the same on all ranks. */
 typedef struct {
@@ -211,10 +209,10 @@ typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], Petsc
 PetscErrorCode FrictionSpectralRadius(FrictionMethod method, FrictionMap map, FrictionMap correct, PetscReal part,
                                       PetscReal most, FrictionReport *report);
 
-/* The coupling, if it is wanted, else it is PETSC_MAX_REAL (eq. 16.8b). Decisions are lost. Collective.
-   [in] prepare - takes the decisions; [in] transposed - w = M'v; [in,out] report */
-PetscErrorCode FrictionCoupling(FrictionMethod method, PetscErrorCode (*prepare)(FrictionMethod), FrictionMap map,
-                                FrictionMap transposed, FrictionReport *report);
+/* How much friction that becomes less at some nodes adds to friction at others (eq. 16.8d): dense matrices of
+   twice the memory of the reduced problem. Not collective: on its first rank. [in,out] report - coupling and
+   turning, left as they are where there is no bound */
+PetscErrorCode FrictionCoupling(const FrictionProblem *problem, FrictionReport *report);
 
 /* Steps on the Schur complement of the unknowns with bounds and tangents, of a SchurSolver. Collective. [in]
    y - initial guess */

@@ -457,54 +457,6 @@ static PetscErrorCode FrictionKrylovReport_Private(FrictionMethod method, Fricti
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* w = M'v, M of FrictionKrylovGrow_Private() */
-static PetscErrorCode FrictionKrylovGrowTransposed_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
-{
-  Krylov            *t          = method->data;
-  PetscInt           iterations = 0;
-  PetscScalar       *force;
-  const PetscScalar *moved;
-
-  PetscFunctionBeginUser;
-  PetscCall(VecZeroEntries(t->d));
-  PetscCall(VecGetArray(t->d, &force));
-  for (PetscInt a = 0; a < method->units.num; a++) {
-    const FrictionUnit *unit = &method->units.unit[a];
-
-    if (unit->status == UNIT_SLIP && unit->closed)
-      force[FrictionLinearAt(&t->linear, unit->normal)] = unit->coefficient * v[a];
-  }
-  PetscCall(VecRestoreArray(t->d, &force));
-  PetscCall(MatMult(method->solver->A, t->d, t->f));
-  PetscCall(VecGetArray(t->f, &force));
-  for (PetscInt i = 0; i < method->units.n; i++)
-    if (t->linear.fixed[i]) force[FrictionLinearAt(&t->linear, i)] = 0;
-  PetscCall(VecRestoreArray(t->f, &force));
-  PetscCall(FrictionLinearSolve(&t->linear, RHO_RTOL, t->f, t->d, &iterations));
-  PetscCall(VecGetArrayRead(t->d, &moved));
-  for (PetscInt a = 0; a < method->units.num; a++) {
-    const FrictionUnit *unit = &method->units.unit[a];
-
-    w[a] = 0;
-    for (PetscInt i = 0; unit->status == UNIT_SLIP && i < unit->num; i++)
-      w[a] += unit->direction[i] * PetscRealPart(moved[FrictionLinearAt(&t->linear, unit->tangent[i])]);
-  }
-  PetscCall(VecRestoreArrayRead(t->d, &moved));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Sets the decisions in the system, with given limits. */
-static PetscErrorCode FrictionKrylovPrepare_Private(FrictionMethod method)
-{
-  Krylov *t = method->data;
-
-  PetscFunctionBeginUser;
-  FrictionUnitsMark(&method->units, t->linear.fixed);
-  PetscCall(FrictionLinearTell(&t->linear));
-  t->linear.coupled = PETSC_FALSE;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 static PetscErrorCode Finish_Krylov(FrictionMethod method, Vec y)
 {
   PDAS           *pdas   = method->pdas;
@@ -513,13 +465,12 @@ static PetscErrorCode Finish_Krylov(FrictionMethod method, Vec y)
   PetscInt        closed;
 
   PetscFunctionBeginUser;
+  report->coupling = report->turning = PETSC_MAX_REAL;
   PetscCall(VecCopy(t->y, y));
   FrictionUnitsMark(&method->units, pdas->set.active);
   PetscCall(FrictionUnitsCount(&method->units, report, &closed));
   if (!pdas->converged) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(FrictionKrylovReport_Private(method, report));
-  PetscCall(FrictionCoupling(method, FrictionKrylovPrepare_Private, FrictionKrylovGrow_Private,
-                             FrictionKrylovGrowTransposed_Private, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -219,20 +219,6 @@ static PetscErrorCode FrictionReducedGrow_Private(FrictionMethod method, const P
   return FrictionSystemGrow(&t->problem, v, w);
 }
 
-static PetscErrorCode FrictionReducedGrowTransposed_Private(FrictionMethod method, const PetscReal v[], PetscReal w[])
-{
-  Reduced *t = method->data;
-
-  return FrictionSystemGrowTransposed(&t->problem, v, w);
-}
-
-static PetscErrorCode FrictionReducedPrepare_Private(FrictionMethod method)
-{
-  Reduced *t = method->data;
-
-  return FrictionSystemFactorGiven(&t->problem);
-}
-
 /* Marks closed and sticking unknowns, and counts them. Collective. */
 static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
 {
@@ -244,6 +230,7 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
   PetscReal      *all  = NULL, *own;
 
   PetscFunctionBeginUser;
+  report->coupling = report->turning = PETSC_MAX_REAL;
   PetscCall(PetscMalloc1(pdas->set.n, &own));
   if (!t->rank) {
     PetscCall(PetscMalloc2(method->units.n, &all, method->units.n, &mark));
@@ -253,8 +240,7 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     PetscCall(FrictionSystemFactorGiven(&t->problem));
     PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, NULL, 0, PETSC_MAX_REAL, report));
     report->coarser = PETSC_FALSE;
-    PetscCall(FrictionCoupling(method, FrictionReducedPrepare_Private, FrictionReducedGrow_Private,
-                               FrictionReducedGrowTransposed_Private, report));
+    if (pdas->coupling_needed) PetscCall(FrictionCoupling(&t->problem, report));
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));
   for (PetscInt i = 0; i < pdas->set.n; i++) pdas->set.active[i] = (PetscBool)(own[i] > 0);

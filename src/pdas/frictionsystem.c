@@ -162,27 +162,3 @@ PetscErrorCode FrictionSystemGrow(FrictionProblem *problem, const PetscReal v[],
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
-
-PetscErrorCode FrictionSystemGrowTransposed(FrictionProblem *problem, const PetscReal v[], PetscReal w[])
-{
-  const PetscInt N = problem->units->n;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscArrayzero(problem->x, problem->num_free));
-  for (PetscInt a = 0; a < problem->units->num; a++) {
-    const FrictionUnit *unit = &problem->units->unit[a];
-
-    for (PetscInt j = 0; unit->status == UNIT_SLIP && unit->closed && j < N; j++)
-      if (problem->place[j] >= 0)
-        problem->x[problem->place[j]] += unit->coefficient * problem->S[N * unit->normal + j] * v[a];
-  }
-  PetscCall(FrictionSystemSubstitute_Private(problem));
-  for (PetscInt a = 0; a < problem->units->num; a++) {
-    const FrictionUnit *unit = &problem->units->unit[a];
-
-    w[a] = 0;
-    for (PetscInt i = 0; unit->status == UNIT_SLIP && i < unit->num; i++)
-      w[a] += unit->direction[i] * PetscRealPart(problem->x[problem->place[unit->tangent[i]]]);
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}

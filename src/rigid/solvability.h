@@ -97,11 +97,12 @@ PetscErrorCode SolvabilityUpdate(VI vi, Solvability solvability);
 PetscErrorCode SolvabilityFindHardlyHeld(VI vi, Solvability solvability);
 
 /* After bodies slid on and on: sets SOLVABLE_NOT and that motion, if contact takes less work on it than the
-   loads do, under the pressures of this state and under all others (eq. 16.8a, 16.8b). With friction only.
+   loads do, under the pressures of this state and under all others (eq. 16.8a, 16.8e). With friction only.
    Collective.
-   [in] coupling - of friction with itself; [in] forces - of contact; [in] step - the last one of the
+   [in] friction - coupling and turning; [in] forces - of contact; [in] step - the last one of the
    proximal point iteration */
-PetscErrorCode SolvabilityTestSliding(VI vi, Solvability solvability, PetscReal coupling, Vec forces, Vec step);
+PetscErrorCode SolvabilityTestSliding(VI vi, Solvability solvability, const FrictionReport *friction, Vec forces,
+                                      Vec step);
 
 /* Whether a rigid motion of floating bodies changes all given gaps to zero, and no others. Collective.
    [in] gaps - of each pair, the same at all its nodes [vi->num_pairs]; [out] takes */

@@ -11,22 +11,20 @@
    the loads do more work on it than contact can take. The state goes on for ever, and friction is already at
    its limit in it (eq. 16.8a).
 
-   Another state may have larger pressures, since friction changes them. The coupling bounds that. A force of
-   friction changes the limits of others by at most this part of it, all together. Nodes that do not slip
-   could change theirs at no cost, so all nodes must slip (eq. 16.8b). */
+   Another state may have larger pressures, since friction changes them. The coupling bounds that: so much of
+   what friction has less at some nodes it may have more at others. Nodes that do not slip could change
+   theirs at no cost, so all nodes must slip. In space friction may also turn (eq. 16.8e). */
 #include "base/compat.h"
 #include "kernel/dense.h"
 #include "kernel/vector.h"
 #include "problem/frictionlaw.h"
 #include "rigid/rigidimpl.h"
+#include <math.h>
 
 /* Part of a step that may be no rigid motion, as a part of the step: roundoff of far ways. */
 static const PetscReal NOT_RIGID = 1e-3;
 /* Gaps that close by less than this part of the slip stay as they are. */
 static const PetscReal CLOSES_NOT = 1e-6;
-/* The coupling must be smaller, times the largest slip over the least one. It is an estimate from below, of
-   systems that are solved to a per cent: DOUBT times it counts. */
-static const PetscReal WEAK_COUPLING = 0.5, DOUBT = 1.1;
 /* Least difference of both works, as a part of what contact takes: the proximal term presses, too. */
 static const PetscReal SURPLUS_STEADY = 1e-3;
 /* Eigenvalues below this part of the largest are roundoff. */
@@ -77,10 +75,11 @@ static PetscErrorCode SteadySlidingSetMotion_Private(Solvability s, Vec step, Pe
 
 /* What a motion does to contacts. */
 typedef struct {
-  PetscReal work;             /* that they can take */
-  PetscReal fastest, slowest; /* slip of nodes with friction */
-  PetscReal closing;          /* the fastest one */
-  PetscBool space;            /* slip has two directions */
+  PetscReal work;    /* that they can take */
+  PetscReal fastest; /* slip of nodes with friction */
+  PetscReal closing; /* the fastest one */
+  PetscReal moving;  /* the fastest closing or opening */
+  PetscBool coupled; /* some node has a coefficient */
 } SteadySliding;
 
 /* Collective. [in] r - of contact, dimensionless */
@@ -89,7 +88,7 @@ static PetscErrorCode SteadySlidingMeasure_Private(VI vi, const struct _n_Solvab
 {
   const FrictionLaw *law   = vi->friction;
   const PetscInt     first = vi->level->dim * vi->level->node_begin, m = s->m;
-  SteadySliding      own = {.slowest = PETSC_MAX_REAL};
+  SteadySliding      own = {.work = 0};
 
   PetscFunctionBeginUser;
   for (PetscInt row = 0; row < vi->num_rows; row++) {
@@ -101,61 +100,66 @@ static PetscErrorCode SteadySlidingMeasure_Private(VI vi, const struct _n_Solvab
 
     if (s->tangent[row]) continue;
     own.closing = PetscMax(own.closing, s->nodal.equality[row] || pressed > 0 ? PetscAbsReal(closing) : closing);
+    own.moving  = PetscMax(own.moving, PetscAbsReal(closing));
     if (!s->nodal.equality[row]) own.work += pressed * closing;
     if (!num) continue;
     for (PetscInt t = 0; t < num; t++) slip[t] = VectorDot(m, &s->slide[(row + 1 + t) * m], q);
     size        = VectorNorm(num, slip);
     own.fastest = PetscMax(own.fastest, size);
-    own.slowest = PetscMin(own.slowest, size);
-    own.space   = (PetscBool)(own.space || num > 1);
+    own.coupled = (PetscBool)(own.coupled || law->coefficient[a] > 0);
     own.work += (law->bound[a] + law->coefficient[a] * pressed) * size;
   }
   own.work *= vi->stiffness * vi->length;
   PetscCallMPI(MPI_Allreduce(&own.work, &sliding->work, 1, MPIU_REAL, MPI_SUM, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(&own.fastest, &sliding->fastest, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
-  PetscCallMPI(MPI_Allreduce(&own.slowest, &sliding->slowest, 1, MPIU_REAL, MPI_MIN, vi->level->comm));
   PetscCallMPI(MPI_Allreduce(&own.closing, &sliding->closing, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
-  PetscCallMPI(MPI_Allreduce(&own.space, &sliding->space, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(&own.moving, &sliding->moving, 1, MPIU_REAL, MPI_MAX, vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(&own.coupled, &sliding->coupled, 1, MPIU_BOOL, MPI_LOR, vi->level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The part by which the loads must do more work than contact takes, so that no other state takes more (eq.
-   16.8b). Returns infinity if there may be one. */
-static PetscReal SteadySlidingSurplus_Private(const SteadySliding *sliding, PetscReal coupling)
+   16.8e). Returns whether there is one. */
+static PetscBool SteadySlidingSurplus_Private(const SteadySliding *sliding, const FrictionReport *friction,
+                                              PetscReal *surplus)
 {
-  const PetscReal weighted = DOUBT * coupling * sliding->fastest;
-  PetscReal       across;
+  const PetscReal left = 1 - friction->coupling; // of what friction has less
+  PetscReal       gain;                          // of friction that turns, as a part of the other state's
 
-  if (coupling == 0) return SURPLUS_STEADY;
-  if (!(weighted < WEAK_COUPLING * sliding->slowest)) return PETSC_INFINITY;
-  if (!sliding->space) return SURPLUS_STEADY;
-  across = PetscSqr(weighted / (sliding->slowest - weighted / WEAK_COUPLING)) / 2;
-  return across < WEAK_COUPLING ? SURPLUS_STEADY + across / (1 - across / WEAK_COUPLING) : PETSC_INFINITY;
+  *surplus = SURPLUS_STEADY;
+  if (!sliding->coupled) return PETSC_TRUE;
+  if (sliding->moving > CLOSES_NOT * sliding->fastest || !(left > 0)) return PETSC_FALSE;
+  if (!(PETSC_SQRT2 * friction->turning < left)) return PETSC_FALSE;
+  gain = left / 2 * (1 - PetscSqrtReal(1 - 2 * PetscSqr(friction->turning / left)));
+  *surplus += gain / (1 - gain);
+  return PETSC_TRUE;
 }
 
 /* Whether the loads do more work on a motion than contact can take, and it closes no gap. Collective. */
-static PetscErrorCode SteadySlidingTest_Private(VI vi, Solvability s, PetscReal coupling, Vec forces,
+static PetscErrorCode SteadySlidingTest_Private(VI vi, Solvability s, const FrictionReport *friction, Vec forces,
                                                 const PetscReal q[], PetscBool *goes)
 {
   const PetscReal    work = VectorDot(s->m, s->work, q);
   const PetscScalar *r;
   PetscReal          surplus;
   SteadySliding      sliding;
+  PetscBool          bounded;
 
   PetscFunctionBeginUser;
   PetscCall(VecGetArrayRead(forces, &r));
   PetscCall(SteadySlidingMeasure_Private(vi, s, r, q, &sliding));
   PetscCall(VecRestoreArrayRead(forces, &r));
-  surplus = SteadySlidingSurplus_Private(&sliding, coupling);
-  PetscCall(PetscInfo(
-      forces, "bodies slide: the loads do %g of work, contact takes %g; slip %g to %g, closing %g, coupling %g\n",
-      (double)work, (double)sliding.work, (double)sliding.slowest, (double)sliding.fastest, (double)sliding.closing,
-      (double)coupling));
-  *goes = (PetscBool)(sliding.closing <= CLOSES_NOT * sliding.fastest && work > (1 + surplus) * sliding.work);
+  bounded = SteadySlidingSurplus_Private(&sliding, friction, &surplus);
+  PetscCall(PetscInfo(forces, "bodies slide: the loads do %g of work, contact takes %g; slip to %g, closing %g\n",
+                      (double)work, (double)sliding.work, (double)sliding.fastest, (double)sliding.closing));
+  PetscCall(PetscInfo(forces, "coupling %g, turning %g: a surplus of %g is needed\n", (double)friction->coupling,
+                      (double)friction->turning, bounded ? (double)surplus : INFINITY));
+  *goes =
+      (PetscBool)(bounded && sliding.closing <= CLOSES_NOT * sliding.fastest && work > (1 + surplus) * sliding.work);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode SolvabilityTestSliding(VI vi, Solvability s, PetscReal coupling, Vec forces, Vec step)
+PetscErrorCode SolvabilityTestSliding(VI vi, Solvability s, const FrictionReport *friction, Vec forces, Vec step)
 {
   PetscReal *q, *straight;
   PetscBool *take, goes;
@@ -163,13 +167,13 @@ PetscErrorCode SolvabilityTestSliding(VI vi, Solvability s, PetscReal coupling, 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc3(s->m, &q, s->m, &straight, s->m, &take));
   PetscCall(SteadySlidingSetMotion_Private(s, step, q, &goes));
-  if (goes) PetscCall(SteadySlidingTest_Private(vi, s, coupling, forces, q, &goes));
+  if (goes) PetscCall(SteadySlidingTest_Private(vi, s, friction, forces, q, &goes));
   if (goes) { // without rotations if possible
     PetscBool simple;
 
     SolvabilityMarkStraight(vi, take);
     for (PetscInt k = 0; k < s->m; k++) straight[k] = take[k] ? q[k] : 0;
-    PetscCall(SteadySlidingTest_Private(vi, s, coupling, forces, straight, &simple));
+    PetscCall(SteadySlidingTest_Private(vi, s, friction, forces, straight, &simple));
     PetscCall(SceneMotionDestroy(&s->motion));
     PetscCall(SceneMotionCreate(vi, s, simple ? straight : q, &s->motion));
     s->status = SOLVABLE_NOT;

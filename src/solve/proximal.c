@@ -330,7 +330,7 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode ProximalTestSliding(const Proximal *proximal, PetscReal coupling, Vec y)
+PetscErrorCode ProximalTestSliding(const Proximal *proximal, const FrictionReport *friction, Vec y)
 {
   Vec forces, step;
 
@@ -340,7 +340,7 @@ PetscErrorCode ProximalTestSliding(const Proximal *proximal, PetscReal coupling,
   PetscCall(MatMult(proximal->solved.A, y, forces));
   PetscCall(VecAYPX(forces, -1, proximal->solved.b)); // without the proximal term
   PetscCall(VecWAXPY(step, -1, proximal->rest, y));
-  PetscCall(SolvabilityTestSliding(proximal->solved.vi, proximal->solvability, coupling, forces, step));
+  PetscCall(SolvabilityTestSliding(proximal->solved.vi, proximal->solvability, friction, forces, step));
   PetscCall(VecDestroy(&forces));
   PetscCall(VecDestroy(&step));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -357,6 +357,10 @@ PetscErrorCode ProximalEnd(Proximal *proximal, Vec y)
 {
   PetscFunctionBeginUser;
   PetscCall(ProximalFinish(proximal, y));
+  /* another solver begins with the whole W: under less, bodies slide so far that roundoff balances loads */
+  if (proximal->num_reductions)
+    PetscCall(VecScale(proximal->solvability->regularization,
+                       PetscPowReal(WEIGHT_REDUCTION, -(PetscReal)proximal->num_reductions)));
   if (!proximal->solvability) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDestroy(&proximal->solved.upper));
   PetscCall(MatDestroy(&proximal->solved.A));

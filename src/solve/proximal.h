@@ -33,8 +33,8 @@ PetscErrorCode ProximalSetCenter(Proximal *proximal, Vec y);
    [in,out] report - fails after too many steps; [out] done - also after a failure */
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done);
 /* After bodies slid on and on: sets solvability if their motion shows that there is no solution. Collective.
-   [in] coupling - of friction; [in] y - the last one */
-PetscErrorCode ProximalTestSliding(const Proximal *proximal, PetscReal coupling, Vec y);
+   [in] friction - coupling and turning; [in] y - the last one */
+PetscErrorCode ProximalTestSliding(const Proximal *proximal, const FrictionReport *friction, Vec y);
 /* Takes bounds, loads and approach anew; the centre is 0 again. Collective. */
 PetscErrorCode ProximalUpdate(Proximal *proximal);
 /* [in,out] y - of what was solved; of vi. Collective. */

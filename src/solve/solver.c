@@ -212,7 +212,7 @@ PetscErrorCode SolverRun(Solver solver, const SolverChoice *choice, PetscBool pr
   if (choice->stop) PetscCall(DiscretizationStopSet(context, energy_decrease));
   PetscCall(SolverIterateProximal_Private(context, y, report));
   if (report->slid && report->friction.rho < 1)
-    PetscCall(ProximalTestSliding(&context->proximal, report->friction.coupling, y));
+    PetscCall(ProximalTestSliding(&context->proximal, &report->friction, y));
   if (pdas && !solvability) PetscCall(SolverLeaveSet_Private(solver, context, report));
   PetscCall(SolverMeasure_Private(context, choice, y, report));
   PetscCall(SolverContextReturn(&context, (PetscBool)(choice->again && pdas && report->converged), y));

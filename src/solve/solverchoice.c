@@ -446,8 +446,7 @@ PetscErrorCode SolverChoiceSetFallback(const SolverReport *report, SolverChoice 
 
   PetscFunctionBeginUser;
   *again = (PetscBool)(!report->converged &&
-                       (choice->own ? costly || choice->reducible || !strcmp(report->reason, FAILURE_ITERATIVE)
-                                    : choice->reducible && !report->slid));
+                       (choice->reducible || (choice->own && (costly || !strcmp(report->reason, FAILURE_ITERATIVE)))));
   if (!*again) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(SolverChoiceDescribe(choice->ksp, choice->pc, NULL, words, sizeof(words)));
   if (costly) {

@@ -20,7 +20,7 @@ def judge(run):
         same(f"exit code at {part} of the limit", refused.exit, 2)
         require("body brick turns about the axis through (1, 1, 0.25)" in refused.stderr, refused.stderr)
     same("exit code below the limit of even pressures", turned(run, 0.98 * EVEN, "holds").exit, 0)
-    for slope in (1.05 * EVEN, 0.999 * LIMIT):  # the middle hardly slips: other pressures might hold it (THEORY, 16.8b)
+    for slope in (1.05 * EVEN, 0.999 * LIMIT):  # the middle hardly slips: other pressures might hold it (THEORY, 16.8c)
         turning = turned(run, slope, f"turns{slope:.3f}")
         same(f"exit code between both limits, at {slope}", turning.exit, 3)
         require("the bodies slide on and on" in turning.stderr or "body brick turns about" in turning.stderr, turning.stderr)
