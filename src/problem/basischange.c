@@ -6,6 +6,7 @@
    unknowns as well. All this is done to the hierarchical displacements u~ where there are any, and to those
    of eq. 3.5 on tri6 (couplings.h), and u = S u~ comes last. */
 #include "base/compat.h"
+#include "base/csrmatrix.h"
 #include "kernel/frame.h"
 #include "kernel/vector.h"
 #include "problem/pairarms.h"
@@ -175,19 +176,19 @@ PetscErrorCode NodeBasesDestroy(NodeBases *bases)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds R: the identity, but F^-1 at special nodes. */
-static PetscErrorCode BasisChangeAddR_Private(VI vi, const NodeBases *bases, Mat R)
+/* Adds R - 1, which is F^-1 - 1 at special nodes. */
+static PetscErrorCode BasisChangeAddR_Private(VI vi, const NodeBases *bases, Mat X)
 {
-  const PetscInt dim = vi->level->dim, first = vi->level->node_begin * dim;
+  const PetscInt dim = vi->level->dim;
 
   PetscFunctionBeginUser;
-  for (PetscInt i = 0; i < vi->level->num_owned; i++) {
-    const PetscInt s = bases->of_node[i], block = vi->level->node_begin + i;
-    if (s >= 0) {
-      PetscCall(MatSetValuesBlocked(R, 1, &block, 1, &block, &bases->Finv[s * dim * dim], ADD_VALUES));
-    } else {
-      for (PetscInt k = 0; k < dim; k++)
-        PetscCall(MatSetValue(R, first + dim * i + k, first + dim * i + k, 1.0, ADD_VALUES));
+  for (PetscInt s = 0; s < bases->num; s++) {
+    const PetscInt first = dim * (vi->level->node_begin + bases->node[s]);
+
+    for (PetscInt e = 0; e < dim * dim; e++) {
+      const PetscReal value = bases->Finv[s * dim * dim + e] - (e / dim == e % dim ? 1 : 0);
+
+      if (value != 0) PetscCall(MatSetValue(X, first + e / dim, first + e % dim, value, ADD_VALUES));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -239,7 +240,7 @@ static PetscErrorCode BasisChangeCountE_Private(VI vi, const Couplings *coupling
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A sum of R, the identity but at special nodes, and E, what other displacements contribute to u~ there. */
+/* A sum of R - 1 and E, what other displacements contribute to u~ at special nodes. Other rows are empty. */
 static PetscErrorCode BasisChangeCreateSum_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
                                                    PetscBool with_R, PetscBool with_E, Mat *sum)
 {
@@ -250,8 +251,7 @@ static PetscErrorCode BasisChangeCreateSum_Private(VI vi, const NodeBases *bases
   PetscCall(PetscCalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
   if (with_E) PetscCall(BasisChangeCountE_Private(vi, couplings, nnz));
   for (PetscInt i = 0; i < n * dim; i++) {
-    d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R ? 1 : 0), n);
-    if (with_R && !nnz[i / dim] && bases->of_node[i / dim] < 0) d_nnz[i] = 1; // of the identity
+    d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R && bases->of_node[i / dim] >= 0 ? 1 : 0), n);
     o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
   }
   PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, sum));
@@ -301,19 +301,20 @@ static PetscErrorCode BasisChangeIsChained_Private(VI vi, const NodeBases *bases
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T += (E + E E + ..) T */
-static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat T)
+/* 1 + X <- (1 + E + E E + ..) (1 + X) */
+static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat X)
 {
   Mat       V, next;
   PetscReal norm;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMatMult(E, T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
+  PetscCall(MatMatMult(E, X, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
+  PetscCall(MatAXPY(V, 1.0, E, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   for (PetscInt power = 1; norm > NEGLIGIBLE_POWER; power++) {
     PetscCheck(power <= vi->num_pairs + REMOVED_POWERS, vi->level->comm, PETSC_ERR_PLIB,
                "The coupling of the pairs does not fade");
-    PetscCall(MatAXPY(T, 1.0, V, DIFFERENT_NONZERO_PATTERN));
+    PetscCall(MatAXPY(X, 1.0, V, DIFFERENT_NONZERO_PATTERN));
     PetscCall(MatMatMult(E, V, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
     PetscCall(MatDestroy(&V));
     V = next;
@@ -323,24 +324,67 @@ static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat T)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Takes S to a basis. [in,out] T */
-static PetscErrorCode BasisChangeShift_Private(const Couplings *couplings, Mat T)
+/* 1 + X <- S (1 + X) */
+static PetscErrorCode BasisChangeShift_Private(const Couplings *couplings, Mat X)
 {
   Mat shifted;
 
   PetscFunctionBeginUser;
   if (!couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatMatMult(couplings->shift, T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
-  PetscCall(MatAXPY(T, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatMatMult(couplings->shift, X, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
+  PetscCall(MatAXPY(X, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatAXPY(X, 1.0, couplings->shift, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatDestroy(&shifted));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T = 1 + X without zeros. [out] T - owned by the caller */
+static PetscErrorCode BasisChangeAddIdentity_Private(Mat X, Mat *T)
+{
+  PetscInt     begin, end, bs, num = 0, *start, *column;
+  PetscScalar *value;
+  MatInfo      info;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetOwnershipRange(X, &begin, &end));
+  PetscCall(MatGetBlockSize(X, &bs));
+  PetscCall(MatGetInfo(X, MAT_LOCAL, &info));
+  PetscCall(PetscMalloc1(end - begin + 1, &start));
+  PetscCall(PetscMalloc2((PetscInt)info.nz_used + end - begin, &column, (PetscInt)info.nz_used + end - begin, &value));
+  start[0] = 0;
+  for (PetscInt row = begin; row < end; row++) {
+    PetscScalar        own = 1;
+    PetscInt           size;
+    const PetscInt    *columns;
+    const PetscScalar *values;
+
+    PetscCall(MatGetRow(X, row, &size, &columns, &values));
+    for (PetscInt c = 0; c < size; c++) {
+      if (columns[c] == row) {
+        own += values[c];
+      } else if (values[c] != 0) {
+        column[num]  = columns[c];
+        value[num++] = values[c];
+      }
+    }
+    PetscCall(MatRestoreRow(X, row, &size, &columns, &values));
+    column[num]            = row;
+    value[num++]           = own;
+    start[row - begin + 1] = num;
+  }
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)X),
+                            &(CSRRows){bs, end - begin, end - begin, start, column, value}, T));
+  PetscCall(PetscFree(start));
+  PetscCall(PetscFree2(column, value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Roundoff of F F^-1. */
 static const PetscReal ROUNDOFF = 1e-14;
 
-/* C of V = R (1 + C): F V = 1 + C at each node. [in] V - T without S; [out] C - owned by the caller */
-static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, Mat V, Mat *C)
+/* C of 1 + X = R (1 + C): F (1 + X) = 1 + C at each node.
+   [in] X - without S; [out] C - owned by the caller */
+static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, Mat X, Mat *C)
 {
   const PetscInt     dim = vi->level->dim, first = dim * vi->level->node_begin;
   PetscInt          *nnz, num, n, N;
@@ -348,14 +392,14 @@ static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, 
   const PetscScalar *values;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(V, &n, NULL));
-  PetscCall(MatGetSize(V, &N, NULL));
+  PetscCall(MatGetLocalSize(X, &n, NULL));
+  PetscCall(MatGetSize(X, &N, NULL));
   PetscCall(PetscCalloc1(n, &nnz));
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     for (PetscInt k = 0, row = vi->row_dof[r] - vi->row_dof[r] % dim; k < dim; k++) {
-      PetscCall(MatGetRow(V, row + k, &num, NULL, NULL));
+      PetscCall(MatGetRow(X, row + k, &num, NULL, NULL));
       nnz[vi->row_dof[r] - first] += num;
-      PetscCall(MatRestoreRow(V, row + k, &num, NULL, NULL));
+      PetscCall(MatRestoreRow(X, row + k, &num, NULL, NULL));
     }
   }
   PetscCall(MatCreate(vi->level->comm, C));
@@ -370,14 +414,15 @@ static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, 
 
     own[row % dim] = -1;
     for (PetscInt k = 0; k < dim; k++) {
-      PetscCall(MatGetRow(V, begin + k, &num, &columns, &values));
+      own[k] += F[k];
+      PetscCall(MatGetRow(X, begin + k, &num, &columns, &values));
       for (PetscInt c = 0; c < num; c++) {
         if (columns[c] >= begin && columns[c] < begin + dim)
           own[columns[c] - begin] += F[k] * PetscRealPart(values[c]);
         else if (F[k] * values[c] != 0)
           PetscCall(MatSetValue(*C, row, columns[c], F[k] * values[c], ADD_VALUES));
       }
-      PetscCall(MatRestoreRow(V, begin + k, &num, &columns, &values));
+      PetscCall(MatRestoreRow(X, begin + k, &num, &columns, &values));
     }
     for (PetscInt k = 0; k < dim; k++)
       if (PetscAbsReal(own[k]) > ROUNDOFF) PetscCall(MatSetValue(*C, row, begin + k, own[k], ADD_VALUES));
@@ -390,7 +435,7 @@ static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, 
 
 PetscErrorCode BasisChangeCreate(VI vi, const NodeBases *bases, const Couplings *couplings, BasisChange *change)
 {
-  Mat       E, C, local;
+  Mat       E, C, X, local;
   PetscBool chained;
   PetscInt  special = bases->num;
 
@@ -399,19 +444,21 @@ PetscErrorCode BasisChangeCreate(VI vi, const NodeBases *bases, const Couplings 
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &special, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (special == 0 && !couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(BasisChangeIsChained_Private(vi, bases, couplings, &chained));
-  PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, &change->T));
+  PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, &X));
   if (chained) {
     PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_FALSE, PETSC_TRUE, &E));
-    PetscCall(BasisChangeAddPowers_Private(vi, E, change->T));
+    PetscCall(BasisChangeAddPowers_Private(vi, E, X));
     PetscCall(MatDestroy(&E));
   }
-  PetscCall(BasisChangeCreateC_Private(vi, bases, change->T, &C));
+  PetscCall(BasisChangeCreateC_Private(vi, bases, X, &C));
   PetscCall(BasisFactorCreate(C, &change->factor[1]));
   PetscCall(MatDestroy(&C));
-  PetscCall(BasisChangeShift_Private(couplings, change->T));
+  PetscCall(BasisChangeShift_Private(couplings, X));
+  PetscCall(BasisChangeAddIdentity_Private(X, &change->T));
+  PetscCall(MatDestroy(&X));
   PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, PETSC_FALSE, &local));
   PetscCall(BasisChangeShift_Private(couplings, local));
-  PetscCall(BasisFactorCreateOf(local, &change->factor[0]));
+  PetscCall(BasisFactorCreate(local, &change->factor[0]));
   PetscCall(MatDestroy(&local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

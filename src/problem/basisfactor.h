@@ -11,8 +11,6 @@ typedef struct {
 
 /* Collective. [in] E - AIJ; [out] factor - to be released by BasisFactorDestroy() */
 PetscErrorCode BasisFactorCreate(Mat E, BasisFactor *factor);
-/* The same with E = T - 1. Collective. */
-PetscErrorCode BasisFactorCreateOf(Mat T, BasisFactor *factor);
 /* E with all rows. Collective. [out] E - AIJ, owned by the caller */
 PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E);
 /* Collective. */
