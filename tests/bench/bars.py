@@ -3,8 +3,8 @@
 
 A scene is solved by -adapt with 3, 4, ... meshes; each run has its own bars. The truth is a closed form where EXACT has one, else the run with
 five meshes more in the plane, two more in space. A bar is judged where the truth's own bar is at most a third of it. It is also judged where it
-misses the truth by more than that one's bar. Prints a table by kind of number: bars, share that hold the truth, median ratio of bar and error; and
-the effectivity of the estimate. With --keep, summaries are kept there, and runs whose summary is there are not repeated. One process at a time."""
+misses the truth by more than that one's bar. Prints a table by kind of number and by class of scene: bars, share that hold the truth, median ratio of
+bar and error; and the effectivity of the estimate. With --keep, summaries are kept there, and runs whose summary is there are not repeated. One process at a time."""
 import argparse
 import json
 import math
@@ -17,6 +17,7 @@ import tempfile
 
 OPTIONS = pathlib.Path(__file__).resolve().parents[2] / "options"
 ROUNDING = 1e-9  # numbers that differ by less of their size have no error to speak of
+RINGS = "-outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4"
 TIGHT = "-upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2 -upper_poisson 0.4999 -lower_poisson 0.4999"
 # scene -> options file, arguments, numbers of meshes that are judged
 SCENES = {
@@ -30,7 +31,7 @@ SCENES = {
     "stiff triangles": ("two_plates", "-upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 2,2 -upper_poisson 0.45 -lower_poisson 0.45 -order 1", range(3, 10)),
     "half space edge": ("edge2d", "-upper_dm_plex_box_faces 4,2 -lower_dm_plex_box_faces 3,2", range(3, 11)),
     "overhang": ("overhang", "-block_dm_plex_box_faces 4,4 -table_dm_plex_box_faces 5,3", range(3, 12)),
-    "rings": ("rings", "-outer_dm_plex_box_faces 3,5 -inner_dm_plex_box_faces 2,4", range(3, 8)),
+    "rings": ("rings", RINGS, range(3, 8)),
     "anisotropic": ("anisotropic_plate", "", range(3, 9)),
     "seal": ("seal", "-rubber_dm_plex_box_faces 12,12 -plate_dm_plex_box_faces 10,3", range(3, 8)),
     "punch": ("punch", "", range(3, 9)),
@@ -63,6 +64,14 @@ SCENES = {
     "friction, two discs": ("fretting", "-upper_dm_plex_box_faces 12,5 -lower_dm_plex_box_faces 10,4 -load_steps 1,2,4,5", range(3, 7)),
     "friction, around an axis": ("hertz_axisymmetric", "-sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6 -joint_friction 0.1", range(3, 9)),
     "friction, press fit": ("pull_off", "-hub_dm_plex_box_faces 4,6 -shaft_dm_plex_box_faces 3,5 -load_steps 0,4,8", range(3, 7)),
+    "rings, kept": ("rings", f"{RINGS} -order 2 -adapt_cells kept", range(3, 9)),
+    "tied rings": ("../tests/adapt/tied_rings", "", range(3, 8)),
+    "tied rings, kept": ("../tests/adapt/tied_rings", "-adapt_cells kept", range(3, 9)),
+    "annulus, kept": ("../tests/adapt/annulus", "-ring_dm_plex_simplex 0 -adapt_cells kept", range(3, 9)),
+    "shells around an axis": ("shells", RINGS, range(3, 8)),
+    "shells around an axis, kept": ("shells", f"{RINGS} -adapt_cells kept", range(3, 9)),
+    "shells in space, kept": ("shells3d", "-outer_dm_plex_box_faces 2,2,2 -inner_dm_plex_box_faces 2,2,2 -adapt_cells kept", range(3, 6)),
+    "rings in space, from a file": ("../tests/adapt/rings3d", "-order 2 -adapt_cells kept", range(3, 5)),
     "hertz in space, order 1": ("hertz3d", "-sphere_dm_plex_box_faces 3,3,2 -block_dm_plex_box_faces 4,4,2 -order 1", range(3, 6)),
 }
 # scene -> body and place of a probe, where the options file has none
@@ -108,6 +117,17 @@ KINDS = {
     "max_slip": "slips and dissipation",
     "dissipation": "slips and dissipation",
     "probes": "stresses",
+}
+# words in the names of scenes -> class; a scene is in each that fits, or in the last one
+CLASSES = {
+    "around an axis": ("around an axis", "press fit"),
+    "in space": ("in space",),
+    "curved sides": ("rings", "annulus", "shells", "hertz", "discs", "roller", "gears", "hub", "thermal fit", "spherical"),
+    "from files": ("punch", "hertz2d", "half discs", "gears", "lined hub", "from a file"),
+    "obstacles": ("punch", "roller", "indentation", "parabola", "block", "incline", "keystone", "dent"),
+    "ties": ("tied",),
+    "kept": ("kept",),
+    "others": (),
 }
 SECONDS = 1800  # of one run, on a busy machine
 
@@ -159,6 +179,11 @@ def kind(path):
     return next((name for key, name in KINDS.items() if key in path), "forces")
 
 
+def classes(scene):
+    names = [name for name, words in CLASSES.items() if any(word in scene for word in words)]
+    return names or ["others"]
+
+
 def judge(program, scene, folder, found, unclear):
     meshes = SCENES[scene][2]
     space = "in space" in scene
@@ -183,7 +208,8 @@ def judge(program, scene, folder, found, unclear):
             if limit > half / 3 and error <= half + limit:
                 unclear.append(path)
                 continue
-            found.setdefault(kind(path), []).append((error <= half, half / error))
+            for name in (kind(path), *classes(scene), "all"):
+                found.setdefault(name, []).append((error <= half, half / error))
             if error > half:
                 bad.append(f"{num}:{'.'.join(path)} {value:.6g} +- {half:.2g}, true {true:.6g}")
     print(f"{scene}: effectivity {', '.join(f'{e:.2f}' for e in effectivity)}; {best['meshes'][-1]['unknowns']} unknowns in the end")
@@ -202,12 +228,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for scene in options.scene or SCENES:
             judge(options.program.resolve(), scene, (options.keep or pathlib.Path(folder)).resolve(), found, unclear)
-    print("| kind | bars | hold | median bar / error |\n|---|---:|---:|---:|")
-    for name, bars in found.items():
+    print("| kind, class | bars | hold | median bar / error |\n|---|---:|---:|---:|")
+    for name in sorted(found, key=lambda name: (name == "all", name in CLASSES)):
+        bars = found[name]
         print(f"| {name} | {len(bars)} | {100 * sum(ok for ok, _ in bars) / len(bars):.1f} % | {statistics.median(ratio for _, ratio in bars):.2g} |")
-    every = [bar for bars in found.values() for bar in bars]
-    if every:
-        print(f"| all | {len(every)} | {100 * sum(ok for ok, _ in every) / len(every):.1f} % | {statistics.median(r for _, r in every):.2g} |")
     print(f"not judged, since the truth is not known well enough: {len(unclear)}")
 
 
