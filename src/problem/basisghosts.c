@@ -75,7 +75,7 @@ static PetscErrorCode FactorRowsFetch_Private(const BasisFactor *factor, PetscIn
 static PetscErrorCode FactorRowsCreate_Private(const BasisGhosts g, PetscBool others, const BasisFactor *factor,
                                                FactorRows *rows)
 {
-  PetscInt        num, begin;
+  PetscInt        num, all, begin;
   const PetscInt *place;
   Mat            *there = NULL;
   MatInfo         info;
@@ -84,7 +84,8 @@ static PetscErrorCode FactorRowsCreate_Private(const BasisGhosts g, PetscBool ot
   PetscFunctionBeginUser;
   PetscCall(MatGetInfo(factor->few, MAT_LOCAL, &info));
   entries = (size_t)info.nz_used;
-  if (others) PetscCall(FactorRowsFetch_Private(factor, g->num, g->ghost, g->N, &there));
+  PetscCall(MatGetSize(factor->few, &all, NULL));
+  if (others && all) PetscCall(FactorRowsFetch_Private(factor, g->num, g->ghost, g->N, &there));
   if (there) PetscCall(MatGetInfo(there[0], MAT_LOCAL, &info));
   if (there) entries += (size_t)info.nz_used;
   PetscCall(ISGetLocalSize(factor->rows, &num));
