@@ -169,7 +169,8 @@ PetscErrorCode PeakGet(Fields fields, PetscInt p, Peak *peak)
   PetscCall(VecDestroy(&nodal));
   PetscCallMPI(
       MPI_Allreduce(MPI_IN_PLACE, &found, sizeof(found) / sizeof(PetscReal), MPIU_REAL, MPIU_MAX, level->comm));
-  *peak = (Peak){.size = found.small == -PETSC_MAX_REAL ? 0 : -found.small, .shape = PEAK_UNKNOWN};
+  *peak = (Peak){
+      .pressure = sum.max_pressure, .size = found.small == -PETSC_MAX_REAL ? 0 : -found.small, .shape = PEAK_UNKNOWN};
   if (found.kink > 0)
     peak->shape = PEAK_KINK;
   else if (found.end > 0)

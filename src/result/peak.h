@@ -13,7 +13,8 @@ typedef enum {
 } PeakShape;
 
 typedef struct {
-  PetscReal size; /* of the smallest facet at the largest pressure; 0 without contact */
+  PetscReal pressure; /* the largest one */
+  PetscReal size;     /* of the smallest facet at the largest pressure; 0 without contact */
   PeakShape shape;
   PetscReal exponent; /* e > 0 of the pressure r^-e at an edge there, where that is certain (edgeexponent.h); else 0 */
 } Peak;

@@ -10,7 +10,8 @@
 
 enum {
   TIME_TEXT    = 40,
-  FIRST_MESHES = 3, /* least number that a bar needs, unless there is nothing to refine */
+  LEAST_MESHES = 2, /* least number that a bar needs, unless there is nothing to refine */
+  DOUBT_MESHES = 3, /* the same where errors are large, or a largest pressure may have no limit */
   RATE_MESHES  = 5  /* least number that shows no progress: on coarse ones estimates may rise and fall */
 };
 
@@ -19,6 +20,10 @@ enum {
 static const PetscReal STALLED = 0.9, STALLED_GROWTH = 2, STALLED_GROWTH_FRICTION = 4;
 static const PetscReal KEEP_SECONDS = 5; /* of work that an interruption may lose */
 static const PetscReal PERCENT      = 100;
+/* Relative error above which the places of the largest errors may still change. */
+static const PetscReal DOUBTFUL_ERROR = 0.1;
+/* Part of a largest pressure that it grows by from one mesh to the next where it may have no limit. */
+static const PetscReal DOUBTFUL_GROWTH = 0.03;
 
 const SolvedMesh *AdaptiveGetLast(const struct _n_Adaptive *adaptive)
 {
@@ -92,6 +97,23 @@ static void AdaptiveTellMemory_Private(const struct _n_Adaptive *adaptive, Petsc
                  limit);
 }
 
+/* Whether there are enough meshes for bars. Two are if the first one was good enough, unless a third one must
+   show whether pressures have a limit, or what friction does. */
+static PetscBool AdaptiveHasBars_Private(const struct _n_Adaptive *adaptive)
+{
+  const SolvedMesh *mesh = AdaptiveGetLast(adaptive);
+
+  if (adaptive->history->num != LEAST_MESHES || SceneHasFriction(adaptive->scene))
+    return (PetscBool)(adaptive->history->num >= DOUBT_MESHES);
+  for (PetscInt p = 0; p < adaptive->scene->num_pairs; p++) {
+    const PetscReal before = mesh[-1].peak[p].pressure;
+
+    if (mesh->peak[p].pressure - before > DOUBTFUL_GROWTH * before) return PETSC_FALSE;
+  }
+  return (PetscBool)(SolvedMeshGetError(&mesh[-1]) <= adaptive->scene->adapt.tolerance &&
+                     SolvedMeshGetError(mesh) <= DOUBTFUL_ERROR);
+}
+
 PetscBool AdaptiveIsOver(const struct _n_Adaptive *adaptive, char why[])
 {
   const SceneAdapt *plan = &adaptive->scene->adapt;
@@ -100,7 +122,7 @@ PetscBool AdaptiveIsOver(const struct _n_Adaptive *adaptive, char why[])
   (void)snprintf(why, ADAPTIVE_TEXT, "%s", adaptive->failure);
   if (why[0]) return PETSC_TRUE;
   if (SolvedMeshIsExact(AdaptiveGetLast(adaptive))) return PETSC_TRUE;
-  if (AdaptiveIsMet(adaptive) && adaptive->history->num >= FIRST_MESHES) return PETSC_TRUE;
+  if (AdaptiveIsMet(adaptive) && AdaptiveHasBars_Private(adaptive)) return PETSC_TRUE;
   if (!adaptive->dual)
     (void)snprintf(why, ADAPTIVE_TEXT, "a dual problem was not solved");
   else if (!MeshCanAdapt(adaptive->mesh))

@@ -131,6 +131,8 @@ mortise_scene_test(uniform_axis SCENE rings CHECK lame.py RANKS 1 ARGS -outer_dm
 mortise_scene_test(origin SCENE two_plates CHECK origin.py RANKS 1 ARGS ${plates} -adapt 5e-2 -upper_dm_plex_box_lower 1000,0 -upper_dm_plex_box_upper 1001,1
   -lower_dm_plex_box_lower 1000,-1 -lower_dm_plex_box_upper 1001,0 -probe_corner_at 1001,0 -probe_middle_at 1000.5,0.3)
 # Three meshes for bars, where one is good enough.
+mortise_scene_test(few SCENE edge2d CHECK few.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -upper_dm_plex_box_faces 8,4 -lower_dm_plex_box_faces 6,4 -adapt 9e-2)
+mortise_scene_test(few_flat SCENE r4b CHECK few_flat.py RANKS 1 ARGS -order 2 -block_dm_plex_box_faces 24,24 -joint_obstacle_gap "abs(x)<0.5 ? -0.001 : 1" -adapt 0.15)
 mortise_scene_test(met SCENE two_plates CHECK met.py RANKS 1 LONG_RANKS 3 ARGS -upper_dm_plex_box_faces 9,9 -lower_dm_plex_box_faces 7,7 -upper_young 8e12 -adapt 0.3)
 # Limits end it with exit code 3 and everything written.
 mortise_scene_test(limits SCENE two_plates CHECK limits.py RANKS 1 ARGS ${plates} -adapt 2e-2)
