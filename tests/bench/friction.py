@@ -21,7 +21,7 @@ ASKED = ("incline", "incline_solid", "patch", "patch_solid", "one_node", "cattan
 def declared(name):
     """Scene and arguments of a test."""
     text = (TESTS / "friction" / "friction.cmake").read_text()
-    words = shlex.split(re.search(rf"^mortise_scene_test\({name} ([^)]*(?:\([^)]*\)[^)]*)*)\)$", text, re.MULTILINE)[1])
+    words = shlex.split(re.search(rf"^mortise_scene_test\({name} (.*?)\)\n(?=mortise|#|\n)", text, re.MULTILINE | re.DOTALL)[1])
     scene = words[words.index("SCENE") + 1] if "SCENE" in words else name
     folder = TESTS / "friction" if (TESTS / "friction" / f"{scene}.opts").is_file() else TESTS.parent / "options"
     arguments = words[words.index("ARGS") + 1:] if "ARGS" in words else []
