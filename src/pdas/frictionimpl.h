@@ -106,8 +106,9 @@ PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[],
 /* The end of the step, with no slip where it turned back. Collective. [in] from - as above; [out] to - y [n];
    [out] work - change of sum G |s| */
 PetscErrorCode FrictionUnitsClip(const FrictionUnits *units, const PetscReal from[], PetscReal to[], PetscReal *work);
-/* Slipping units whose slip ended in the step stick next. Not collective. [in] from - as above */
-void FrictionUnitsEnd(FrictionUnits *units, const PetscReal from[]);
+/* Slipping units whose slip ended in the step stick next. Collective. [in] from - as above;
+   [out] all - whether it ended at all of them */
+PetscErrorCode FrictionUnitsEnd(FrictionUnits *units, const PetscReal from[], PetscBool *all);
 
 /* The last iterates of the fixed point iteration, for Anderson's acceleration. */
 enum { ANDERSON_DEPTH = 5 };
@@ -158,6 +159,7 @@ typedef struct {
   PetscReal residual, size; /* of the law, and of other unknowns unless these are eliminated; its reference */
   PetscInt  changed, closed, iterations;
   PetscBool shortened; /* the step was shortened, or made longer */
+  PetscBool turned;    /* where all slip turned back */
   PetscBool done;      /* the law holds */
 } FrictionStep;
 

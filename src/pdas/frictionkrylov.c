@@ -205,7 +205,7 @@ static PetscErrorCode FrictionKrylovSearch_Private(FrictionMethod method, Fricti
   PetscCall(PetscInfo(t->linear.ksp, "step shortened to %g%s\n", (double)alpha, clipped ? " or clipped" : ""));
   if (!clipped) PetscCall(VecWAXPY(t->y, alpha, t->d, t->begin));
   PetscCall(FrictionKrylovEvaluate_Private(method, step));
-  if (clipped || alpha < 1) FrictionUnitsEnd(&method->units, t->from);
+  if (clipped || alpha < 1) PetscCall(FrictionUnitsEnd(&method->units, t->from, &step->turned));
   step->shortened = PETSC_TRUE;
   step->done      = PETSC_FALSE;
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -12,8 +12,10 @@
 #include "pdas/frictionlinear.h"
 #include "pdas/fullsolver.h"
 
-/* Steps before each Newton step. */
-enum { PROXIMAL_STEPS = 24 };
+/* Steps before each Newton step come by PROXIMAL_STEPS, at most PROXIMAL_ROUNDS times. They go on while more
+   and more decisions change: there an end of stick moves along the contact. Momentum is kept. Without it the
+   end would move as the root of the number of steps. */
+enum { PROXIMAL_STEPS = 24, PROXIMAL_ROUNDS = 8 };
 
 /* The proximal step of one unit. [in] size - of the step, part of diag(A)^-1; [out] to - of the vector */
 static void FrictionProximalUnit_Private(const FrictionLinear *linear, const FrictionUnit *unit, PetscReal size,
@@ -50,26 +52,40 @@ static PetscErrorCode FrictionProximalStep_Private(const FrictionLinear *linear,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode FrictionProximalApply(FrictionLinear *linear, FrictionUnits *units, Vec y, Vec r, Vec before, Vec work)
+/* One step, and the forces of its end. [in,out] y - with momentum; [in,out] before - without */
+static PetscErrorCode FrictionProximalAdvance_Private(FrictionLinear *linear, FrictionUnits *units, PetscReal momentum,
+                                                      Vec y, Vec r, Vec before, Vec work)
 {
   const ActiveSolver solver = linear->solver;
   const FullSolver  *full   = solver->data;
 
   PetscFunctionBeginUser;
-  if (!(linear->largest > 0)) PetscCall(EigenvalueLargest(solver->A, NULL, NULL, &linear->largest));
+  PetscCall(FrictionProximalStep_Private(linear, 1 / linear->largest, y, r, work));
+  PetscCall(VecAXPBYPCZ(y, 1 + momentum, -momentum, 0, work, before));
+  PetscCall(VecCopy(work, before));
+  PetscCall(MatMult(solver->A, y, r));
+  PetscCall(VecAYPX(r, -1, solver->b));
+  PetscCall(MultigridAddWork(full->pc));
+  PetscCall(ActiveSetGather(solver->set, y, units->y));
+  PetscCall(ActiveSetGather(solver->set, r, units->r));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode FrictionProximalApply(FrictionLinear *linear, FrictionUnits *units, Vec y, Vec r, Vec before, Vec work)
+{
+  PetscInt last, changed, k = 0;
+
+  PetscFunctionBeginUser;
+  if (!(linear->largest > 0)) PetscCall(EigenvalueLargest(linear->solver->A, NULL, NULL, &linear->largest));
   if (!(linear->largest > 0)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecCopy(y, before));
-  for (PetscInt k = 0; k < PROXIMAL_STEPS; k++) {
-    const PetscReal momentum = k + 1 < PROXIMAL_STEPS ? (PetscReal)k / (PetscReal)(k + 3) : 0;
-
-    PetscCall(FrictionProximalStep_Private(linear, 1 / linear->largest, y, r, work));
-    PetscCall(VecAXPBYPCZ(y, 1 + momentum, -momentum, 0, work, before));
-    PetscCall(VecCopy(work, before));
-    PetscCall(MatMult(solver->A, y, r));
-    PetscCall(VecAYPX(r, -1, solver->b));
-    PetscCall(MultigridAddWork(full->pc));
-    PetscCall(ActiveSetGather(solver->set, y, units->y));
-    PetscCall(ActiveSetGather(solver->set, r, units->r));
-  }
+  PetscCall(FrictionUnitsCompare(units, &changed));
+  do {
+    last = changed;
+    for (PetscInt end = k + PROXIMAL_STEPS - 1; k < end; k++)
+      PetscCall(FrictionProximalAdvance_Private(linear, units, (PetscReal)k / (PetscReal)(k + 3), y, r, before, work));
+    PetscCall(FrictionUnitsCompare(units, &changed));
+  } while (changed > last && k < (PROXIMAL_STEPS - 1) * PROXIMAL_ROUNDS);
+  PetscCall(FrictionProximalAdvance_Private(linear, units, 0, y, r, before, work));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

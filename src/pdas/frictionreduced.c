@@ -62,6 +62,7 @@ static PetscErrorCode FrictionReducedCompare_Private(Reduced *t, FrictionStep *s
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   for (PetscInt a = 0; a < units->num; a++) units->unit[a].ended = PETSC_FALSE;
+  step->turned = PETSC_FALSE;
   PetscCall(PetscArraycpy(units->y, t->to, units->n));
   PetscCall(FrictionProblemSetForces(&t->problem));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -90,7 +91,7 @@ static PetscErrorCode FrictionReducedSearch_Private(Reduced *t, FrictionStep *st
     PetscCall(PetscArraycpy(units->y, part, units->n));
     PetscCall(FrictionProblemSetForces(&t->problem));
   }
-  if (clipped || alpha < 1) FrictionUnitsEnd(units, t->from);
+  if (clipped || alpha < 1) PetscCall(FrictionUnitsEnd(units, t->from, &step->turned));
   PetscCall(PetscArraycpy(t->to, whole, units->n));
   PetscCall(PetscFree2(part, whole));
   if (alpha > 1) step->residual = PETSC_MAX_REAL;

@@ -19,8 +19,10 @@
 /* A step is changed if the slope of the energy at its end is above this part of the slope at its begin.
    BISECTIONS: their number for the part. DOUBLINGS: of a step that is too short, at most. */
 static const PetscReal OVERSHOOT = 0.1;
-/* Slip has ended if the step leaves this part of it. */
-static const PetscReal SLIP_ENDS = 1e-2;
+/* Slip has ended if the step leaves this part of it. In a plane that is zero, as exactly as the part
+   of the step is found. Where the step is long, slips of other nodes are small, too. In space it passes by
+   zero. */
+static const PetscReal SLIP_ENDS_PLANE = 1e-8, SLIP_ENDS_SPACE = 1e-2;
 enum { BISECTIONS = 40, DOUBLINGS = 6 };
 
 /* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
@@ -126,18 +128,27 @@ PetscErrorCode FrictionUnitsClip(const FrictionUnits *units, const PetscReal fro
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-void FrictionUnitsEnd(FrictionUnits *units, const PetscReal from[])
+PetscErrorCode FrictionUnitsEnd(FrictionUnits *units, const PetscReal from[], PetscBool *all)
 {
+  PetscInt count[2] = {0, 0}; // units that slip, and of these those that end
+
+  PetscFunctionBeginUser;
   for (PetscInt a = 0; a < units->num; a++) {
-    FrictionUnit *unit  = &units->unit[a];
-    PetscReal     begin = 0, end = 0;
+    FrictionUnit   *unit  = &units->unit[a];
+    const PetscReal part  = unit->num > 1 ? SLIP_ENDS_SPACE : SLIP_ENDS_PLANE;
+    PetscReal       begin = 0, end = 0;
 
     for (PetscInt i = 0; i < unit->num; i++) {
       begin += PetscSqr(from[unit->tangent[i]] - unit->origin[i]);
       end += PetscSqr(units->y[unit->tangent[i]] - unit->origin[i]);
     }
-    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && end <= PetscSqr(SLIP_ENDS) * begin);
+    unit->ended = (PetscBool)(unit->status == UNIT_SLIP && end <= PetscSqr(part) * begin);
+    count[0] += unit->status == UNIT_SLIP ? 1 : 0;
+    count[1] += unit->ended ? 1 : 0;
   }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, count, 2, MPIU_INT, MPI_SUM, units->comm));
+  *all = (PetscBool)(count[0] > 0 && count[1] == count[0]);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode FrictionUnitsSearch(FrictionUnits *units, const PetscReal from[], const PetscReal slope[2],

@@ -18,6 +18,8 @@ static const PetscReal SLIP_BEGINS = 1 - 1e-8;
 /* Roundoff of a value, in units of the largest: with forces of A, and with those of S, where it grows with
    the condition. A body that is lifted has no other forces, and the certificate allows 64 epsilon. */
 static const PetscReal ROUNDOFF_FULL = 16 * PETSC_MACHINE_EPSILON, ROUNDOFF_REDUCED = 256 * PETSC_MACHINE_EPSILON;
+/* Slip below this part of force over stiffness has no direction of its own. */
+static const PetscReal SLIP_DIRECTED = 1e-6;
 /* Limits below this part of stiffness times displacement need not settle. */
 static const PetscReal LIMIT_NOISE = 1e-6;
 /* A limit above all forces. */
@@ -323,11 +325,28 @@ void FrictionUnitsForget(FrictionUnits *units)
   }
 }
 
+/* Turns slip into the direction of the force where it is roundoff, or what systems leave. After a load that
+   turned back, nodes are at their limits without slip. Returns its size. [in,out] s - [num] */
+static PetscReal FrictionUnitsFollowForce_Private(const FrictionUnit *unit, const PetscReal r[], PetscReal s[])
+{
+  PetscReal size = 0, force = 0;
+
+  for (PetscInt i = 0; i < unit->num; i++) {
+    size += s[i] * s[i];
+    force += PetscSqr(r[unit->tangent[i]]);
+  }
+  size  = PetscSqrtReal(size);
+  force = PetscSqrtReal(force);
+  if (unit->resistance * size < SLIP_DIRECTED * force)
+    for (PetscInt i = 0; i < unit->num; i++) s[i] = size * r[unit->tangent[i]] / force;
+  return size;
+}
+
 void FrictionUnitsBegin(FrictionUnits *units, const PetscReal given[])
 {
   for (PetscInt a = 0; a < units->num; a++) {
     FrictionUnit *unit = &units->unit[a];
-    PetscReal     s[FRICTION_TANGENTS], size = 0, limit;
+    PetscReal     s[FRICTION_TANGENTS], limit, size;
     PetscBool     sticks = PETSC_TRUE;
 
     unit->closed = (PetscBool)(given[unit->normal] > GIVEN_FROM);
@@ -335,9 +354,8 @@ void FrictionUnitsBegin(FrictionUnits *units, const PetscReal given[])
     for (PetscInt i = 0; i < unit->num; i++) {
       s[i]   = units->y[unit->tangent[i]] - unit->origin[i];
       sticks = (PetscBool)(sticks && given[unit->tangent[i]] > GIVEN_FROM);
-      size += s[i] * s[i];
     }
-    size         = PetscSqrtReal(size);
+    size         = FrictionUnitsFollowForce_Private(unit, units->r, s);
     unit->status = limit > 0 || (unit->closed && unit->coefficient > 0) ? UNIT_STICK : UNIT_FREE;
     if (unit->status == UNIT_FREE || sticks || size == 0) continue;
     unit->status  = UNIT_SLIP;
