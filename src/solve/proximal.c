@@ -35,7 +35,7 @@ static const PetscReal LAW_RTOL = 1e-10;
 enum { PROXIMAL_MAX_STEPS = 50 };
 /* A body that bends easily may resist a motion no more than W. A step that leaves more than SLOW_STEP of the
    term scales W by WEIGHT_REDUCTION, at most MAX_REDUCTIONS times. The first SEARCH_STEPS steps, which look
-   for contacts, do not. */
+   for contacts, do not; but those with friction do that change no decision. */
 static const PetscReal SLOW_STEP = 0.1, WEIGHT_REDUCTION = 1e-2;
 enum { SEARCH_STEPS = 3, MAX_REDUCTIONS = 3 };
 /* With friction, two steps have one direction if this part of the later term is across the earlier one. */
@@ -284,10 +284,26 @@ static PetscErrorCode ProximalGiveUp_Private(const Proximal *proximal, PetscReal
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Whether the step looked for contacts: one of the first, unless it has friction and changed no decision. */
+static PetscErrorCode ProximalSearches_Private(const Proximal *proximal, SNES snes, PetscBool pdas, PetscInt steps,
+                                               PetscBool *searches)
+{
+  const PetscInt *changed;
+  PetscInt        num, sum = 0;
+
+  PetscFunctionBeginUser;
+  *searches = (PetscBool)(steps < SEARCH_STEPS);
+  if (steps == 1 || !*searches || !pdas || !proximal->solved.vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PDASGetHistory(snes, &num, NULL, &changed, NULL));
+  for (PetscInt k = 0; k < num; k++) sum += changed[k];
+  *searches = (PetscBool)(sum > 0);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport *report, PetscBool *done)
 {
   PetscReal part = 0, way = 0, left = 0, limit;
-  PetscBool pdas, failed;
+  PetscBool pdas, failed, searches;
   Vec       active;
 
   PetscFunctionBeginUser;
@@ -315,8 +331,8 @@ PetscErrorCode ProximalCheck(Proximal *proximal, SNES snes, Vec y, SolverReport 
   } else if (proximal->before) {
     PetscCall(ProximalCompare_Private(proximal));
   }
-  if (report->proximal_steps >= SEARCH_STEPS && part > PetscMax(SLOW_STEP * proximal->last, limit) &&
-      proximal->num_reductions < MAX_REDUCTIONS)
+  PetscCall(ProximalSearches_Private(proximal, snes, pdas, report->proximal_steps, &searches));
+  if (!searches && part > PetscMax(SLOW_STEP * proximal->last, limit) && proximal->num_reductions < MAX_REDUCTIONS)
     PetscCall(ProximalReduceWeight_Private(proximal, snes, pdas));
   proximal->last = part;
   *done          = PETSC_FALSE;
