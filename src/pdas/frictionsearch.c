@@ -22,8 +22,8 @@ static const PetscReal OVERSHOOT = 0.1;
 /* Slip has ended if the step leaves this part of it. In a plane that is zero, as exactly as the part
    of the step is found. Where the step is long, slips of other nodes are small, too. In space it passes by
    zero. */
-static const PetscReal SLIP_ENDS_PLANE = 1e-8, SLIP_ENDS_SPACE = 1e-2;
-enum { BISECTIONS = 40, DOUBLINGS = 6 };
+static const PetscReal SLIP_ENDS_PLANE = 1e-6, SLIP_ENDS_SPACE = 1e-2;
+enum { BISECTIONS = 80, DOUBLINGS = 6 };
 
 /* The tangents of one unit after the proximal step. [in] limit - G of its pressure */
 static void FrictionSearchProject_Private(const FrictionUnits *units, const FrictionUnit *unit, PetscReal limit,
