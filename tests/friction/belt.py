@@ -9,8 +9,8 @@ from judge import near, require
 
 MOST = 12  # Newton steps from nothing, with those of the proximal point iteration and those without friction
 CASES = ((100, 0.3, "cholesky"), (50, 0.6, "cholesky"), (150, 0.6, "cholesky"), (300, 0.3, "cholesky"), (50, 0.6, "truncatedmg"), (200, 0.2, "truncatedmg"), (300, 0.3, "truncatedmg"),
-         (100, 2, "truncatedmg"), (50, 7, "cholesky"), (100, 3, "truncatedmg"))
-REPLACED = 3  # the coefficient from which on multigrid fails, and the dense system takes its place
+         (100, 2, "truncatedmg"), (50, 7, "cholesky"), (100, 5, "truncatedmg"))
+REPLACED = 5  # the coefficient from which on multigrid fails, and the dense system takes its place
 ACCEPTED = "coarse_contact,not_unique,large_friction,solver_replaced"
 PULL, ERROR = 100, 0.07  # of the force, over mu^2: the thickness, and some cells of 50
 
