@@ -231,7 +231,8 @@ static void CurveSetAngles_Private(const Curve *curve, PetscInt f, PetscInt at, 
 }
 
 /* What is left of (4.1d) at a node: the quadratic through the angles of three nodes, integrated over both
-   parts, less the angles of these. [in] way, angles - [SIDES] */
+   parts, less the angles of these. An error e of the node's normal leaves e (a + b)^2 / (6 a b), which grows
+   with the ratio of the parts a and b. So (a + b)^2 / (4 a b) divides it. [in] way, angles - [SIDES] */
 static PetscReal CurveGetLeft_Private(const Way way[SIDES], const Angles angles[SIDES])
 {
   const PetscReal a = way[AHEAD].length, b = way[BEHIND].length;
@@ -239,8 +240,8 @@ static PetscReal CurveGetLeft_Private(const Way way[SIDES], const Angles angles[
   const PetscReal bend  = (angles[AHEAD].node / a + angles[BEHIND].node / b) / (a + b);
 
   return PetscAbsReal((slope * (a * a - b * b) / 2 + bend * (a * a * a + b * b * b) / 3 - a * angles[AHEAD].part -
-                       b * angles[BEHIND].part) /
-                      (a + b));
+                       b * angles[BEHIND].part) *
+                      4 * a * b / ((a + b) * (a + b) * (a + b)));
 }
 
 /* Errors of normals that are means. Collective. [out] error - [num][F] */

@@ -363,12 +363,14 @@ static PetscErrorCode JetsSetEnds_Private(Jets *jets, SideFit *fit)
 /* Sums of the squares of what is left of (4.1d), and of their number. */
 enum { LEFT_SQUARES, LEFT_COUNT, LEFTS };
 
-/* Adds what the angle of the chord to another node differs from the mean of the normal's angle along it. */
+/* Adds what the angle of the chord to another node differs from the mean of the normal's angle along it. The
+   smaller one of two means counts, with and without curvatures: if there are much shorter chords at an end,
+   curvatures have errors of the angle over these. */
 static void JetsAddLeft_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, PetscReal sums[])
 {
   const PetscInt own  = jets->side->nodes->corner[f * F + i];
   const Node    *from = &jets->node[own], *to = &jets->node[jets->side->nodes->corner[f * F + j]];
-  PetscReal      d[3], left                   = 0, length;
+  PetscReal      d[3], left[2]                = {0, 0}, length;
 
   if (!from->done || !to->done) return;
   SideGetWay(jets->side->level, jets->side->facets, f, i, j, d);
@@ -376,9 +378,10 @@ static void JetsAddLeft_Private(Jets *jets, PetscInt f, PetscInt i, PetscInt j, 
   for (PetscInt k = 0; k < 3; k++) {
     const PetscReal bend = VectorDot(3, &from->curvature[3 * k], d) - VectorDot(3, &to->curvature[3 * k], d);
 
-    left += d[k] * ((from->normal[k] + to->normal[k]) / 2 + length * bend / 12);
+    left[0] += d[k] * (from->normal[k] + to->normal[k]) / 2;
+    left[1] += d[k] * ((from->normal[k] + to->normal[k]) / 2 + length * bend / 12);
   }
-  sums[own * LEFTS + LEFT_SQUARES] += PetscSqr(left);
+  sums[own * LEFTS + LEFT_SQUARES] += PetscMin(PetscSqr(left[0]), PetscSqr(left[1]));
   sums[own * LEFTS + LEFT_COUNT] += 1;
 }
 
@@ -417,11 +420,15 @@ PetscErrorCode SideJetsGetNormals(const SmoothSide *side, SideFit *fit)
   for (PetscInt f = 0; f < nodes->facets->num && any; f++) {
     for (PetscInt i = 0; i < ElementNumNodes(nodes->facets->type[f]); i++) {
       const PetscInt c    = f * F + i;
-      const Node    *node = &jets.node[nodes->corner[c]];
+      Node          *node = &jets.node[nodes->corner[c]];
 
       if (node->kind != NODE_JET || !node->done || side->shape->ridge[c] != 0) continue;
-      if (JetTake_Private(&side->shape->normal[3 * c], node->normal, &fit->normal[3 * c]))
+      if (JetTake_Private(&side->shape->normal[3 * c], node->normal, &fit->normal[3 * c])) {
         PetscCall(PetscArraycpy(&fit->curvature[9 * c], node->curvature, 9));
+      } else { // the mean stays, and its error is told
+        PetscCall(PetscArraycpy(node->normal, &side->shape->normal[3 * c], 3));
+        PetscCall(PetscArrayzero(node->curvature, 9));
+      }
     }
   }
   if (any) PetscCall(JetsSetErrors_Private(&jets, fit));
