@@ -168,13 +168,44 @@ static PetscErrorCode StepsSolveAt_Private(Steps *steps, PetscReal t, Mesh mesh,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Whether a step is solved in parts; not the first step with pretension, which is applied there at once. */
-static PetscBool StepsIsParted_Private(const Steps *steps, PetscInt i)
+/* Whether a step is the first one, with pretension, which is applied there at once. */
+static PetscBool StepsTightens_Private(const Steps *steps, PetscInt i)
 {
-  if (steps->parts == 1) return PETSC_FALSE;
   for (PetscInt b = 0; !i && b < steps->scene->num_bodies; b++)
-    if (steps->scene->bodies[b].pretension) return PETSC_FALSE;
-  return PETSC_TRUE;
+    if (steps->scene->bodies[b].pretension) return PETSC_TRUE;
+  return PETSC_FALSE;
+}
+
+/* Replaces the row of the parts before by that of these and the present one.
+   [in,out] before - NULL for none */
+static PetscErrorCode StepsAddPart_Private(Run run, cJSON **before)
+{
+  SummaryInput input = RunSummary(run);
+  cJSON       *row;
+
+  PetscFunctionBeginUser;
+  PetscCall(SummaryCreateStep(&input, &row));
+  HalvedStepsAddParts(row, *before);
+  cJSON_Delete(*before);
+  *before = row;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Applies the loads of t = 0 at once, before the parts of the first step. Else the first part would add its
+   own changes to them, and the path of both depends on its length. Where these loads have no equilibrium, or
+   a body is free, the step begins from nothing.
+   [in,out] before - of StepsSolveParts_Private() */
+static PetscErrorCode StepsBegin_Private(Steps *steps, Mesh mesh, Run *run, cJSON **before)
+{
+  PetscFunctionBeginUser;
+  if (!steps->scene->steps.halved || steps->begin || steps->scene->steps.t[0] == 0 || StepsTightens_Private(steps, 0))
+    PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(StepsSolveAt_Private(steps, 0, mesh, NULL, run));
+  if (!(*run)->solved || ((*run)->solvability && (*run)->solvability->status != SOLVABLE))
+    PetscCall(RunDestroy(run));
+  else
+    PetscCall(StepsAddPart_Private(*run, before));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Solves the parts of a step. The first step begins at t = 0, or at the time of -restart. [in] guess - as of
@@ -182,22 +213,16 @@ static PetscBool StepsIsParted_Private(const Steps *steps, PetscInt i)
 static PetscErrorCode StepsSolveParts_Private(Steps *steps, PetscInt i, Mesh mesh, Vec guess, Run *run, cJSON **before)
 {
   const PetscReal to = steps->scene->steps.t[i], from = i ? steps->scene->steps.t[i - 1] : steps->begin_t;
-  const PetscInt  parts = StepsIsParted_Private(steps, i) && from != to ? steps->parts : 1;
+  const PetscInt  parts = from != to && !StepsTightens_Private(steps, i) ? steps->parts : 1;
 
   PetscFunctionBeginUser;
   *before = NULL;
+  if (!i) PetscCall(StepsBegin_Private(steps, mesh, run, before));
   for (PetscInt part = 1; part < parts; part++) {
-    SummaryInput input;
-    cJSON       *row;
-
     PetscCall(StepsSolveAt_Private(steps, from + (to - from) * (PetscReal)part / (PetscReal)parts, mesh,
                                    part > 1 ? NULL : guess, run));
     if (!(*run)->solved) PetscFunctionReturn(PETSC_SUCCESS);
-    input = RunSummary(*run);
-    PetscCall(SummaryCreateStep(&input, &row));
-    HalvedStepsAddParts(row, *before);
-    cJSON_Delete(*before);
-    *before = row;
+    PetscCall(StepsAddPart_Private(*run, before));
   }
   PetscCall(StepsSolveAt_Private(steps, to, mesh, parts > 1 ? NULL : guess, run));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -17,6 +17,8 @@ mortise_scene_test(energy OWN_RUNS SCENE greco CHECK energy.py RANKS 1 LONG_RANK
 # Halved steps.
 mortise_scene_test(halved SCENE greco CHECK halved.py RANKS 1 LONG_RANKS 3 ARGS -load_steps 1 -load_steps_halved 1)
 mortise_scene_test(dragged CHECK dragged.py RANKS 1 3)
+mortise_scene_test(at_once SCENE dragged CHECK at_once.py RANKS 1 3 ARGS -load_steps 1 -block_bc_displacement_top "1e-3-2.5e-3*t,-1e-3"
+  -block_bc_traction_left "0,-max(0.3-1.25*t,-0.3)" -block_bc_traction_right "0,max(0.3-1.25*t,-0.3)")
 mortise_scene_test(oblique SCENE fretting CHECK oblique.py ARGS -upper_dm_plex_box_faces 64,12 -lower_dm_plex_box_faces 64,12 -load_steps 2
   -upper_bc_displacement_top "0.0006*t,-0.0105*t" -load_steps_halved 1)
 mortise_mistake(halves_nothing SCENE greco RANKS 1 ARGS -load_steps_halved 1 SAYS "-load_steps_halved 1: there are no steps to halve")
