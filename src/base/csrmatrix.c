@@ -56,3 +56,22 @@ PetscErrorCode CSRMatrixCreate(MPI_Comm comm, CSRRows *rows, Mat *A)
   if (!rows->value) PetscCall(PetscFree(filled.value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
+
+PetscErrorCode CSRMatrixMergeRow(PetscInt *num, PetscInt column[], PetscScalar value[])
+{
+  PetscInt last = 0;
+
+  PetscFunctionBeginUser;
+  if (*num <= 1) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscSortIntWithScalarArray(*num, column, value));
+  for (PetscInt k = 1; k < *num; k++) {
+    if (column[k] == column[last]) {
+      value[last] += value[k];
+    } else {
+      column[++last] = column[k];
+      value[last]    = value[k];
+    }
+  }
+  *num = last + 1;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}

@@ -17,4 +17,8 @@ typedef struct {
    [out] A - owned by the caller */
 PetscErrorCode CSRMatrixCreate(MPI_Comm comm, CSRRows *rows, Mat *A);
 
+/* Sorts the entries of one row by columns, and adds up those of the same column. Not collective.
+   [in,out] num - of entries; column, value - [num] */
+PetscErrorCode CSRMatrixMergeRow(PetscInt *num, PetscInt column[], PetscScalar value[]);
+
 #endif

@@ -142,26 +142,6 @@ static PetscErrorCode TruncationUpdateAddTerm_Private(const Term *term, PetscInt
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Sorts the entries of a row, and adds up those of the same column.
-   [in] first - of the row; [in,out] entries */
-static PetscErrorCode EntriesMergeRow_Private(PetscInt first, Entries *entries)
-{
-  PetscInt at = first;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscSortIntWithScalarArray(entries->num - first, &entries->column[first], &entries->value[first]));
-  for (PetscInt j = first + 1; j < entries->num; j++) {
-    if (entries->column[j] == entries->column[at]) {
-      entries->value[at] += entries->value[j];
-    } else {
-      entries->column[++at] = entries->column[j];
-      entries->value[at]    = entries->value[j];
-    }
-  }
-  entries->num = PetscMin(at + 1, entries->num);
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* The unknowns that change state. [out] rows - of this rank, owned by the caller [num] */
 static PetscErrorCode TruncationUpdateListChanged_Private(const TruncationChange *change, PetscInt *num,
                                                           PetscInt **rows)
@@ -191,7 +171,7 @@ static PetscErrorCode TruncationUpdateCreateRows_Private(const Operator *op, con
   Term terms[TERMS] = {
       {.X = op->K, .factor = 1 / op->stiffness}, {.X = op->Z, .factor = 1}, {.X = change->C, .factor = 1}};
   Entries  entries = {.num = 0};
-  PetscInt n, *start;
+  PetscInt n, own, *start;
 
   PetscFunctionBeginUser;
   for (int t = 0; t < TERMS; t++)
@@ -202,8 +182,9 @@ static PetscErrorCode TruncationUpdateCreateRows_Private(const Operator *op, con
   for (PetscInt i = 0; i < num; i++) {
     for (int t = 0; t < TERMS; t++)
       if (terms[t].X) PetscCall(TruncationUpdateAddTerm_Private(&terms[t], rows[i], &entries));
-    PetscCall(EntriesMergeRow_Private(start[i], &entries));
-    start[i + 1] = entries.num;
+    own = entries.num - start[i];
+    PetscCall(CSRMatrixMergeRow(&own, &entries.column[start[i]], &entries.value[start[i]]));
+    start[i + 1] = entries.num = start[i] + own;
   }
   for (int t = 0; t < TERMS; t++)
     if (terms[t].X) PetscCall(TruncationUpdateEndStates_Private(change->was, change->is, &terms[t].states));

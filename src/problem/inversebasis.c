@@ -58,26 +58,6 @@ static PetscErrorCode InverseRowsAddFrame_Private(InverseRows *rows, PetscInt no
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds up entries of the same column from `begin` on. */
-static PetscErrorCode InverseRowsMerge_Private(InverseRows *rows, PetscInt begin)
-{
-  PetscInt last = begin;
-
-  PetscFunctionBeginUser;
-  if (rows->num <= begin + 1) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscSortIntWithScalarArray(rows->num - begin, &rows->column[begin], &rows->value[begin]));
-  for (PetscInt k = begin + 1; k < rows->num; k++) {
-    if (rows->column[k] == rows->column[last]) {
-      rows->value[last] += rows->value[k];
-    } else {
-      rows->column[++last] = rows->column[k];
-      rows->value[last]    = rows->value[k];
-    }
-  }
-  rows->num = last + 1;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* Appends one row of T^-1. */
 static PetscErrorCode InverseRowsAdd_Private(InverseRows *rows, PetscInt node, PetscInt r)
 {
@@ -91,7 +71,9 @@ static PetscErrorCode InverseRowsAdd_Private(InverseRows *rows, PetscInt node, P
   PetscFunctionBeginUser;
   if (row < 0) {
     PetscCall(InverseRowsAddFrame_Private(rows, node, r, s < 0 ? NULL : &bases->F[s * dim * dim]));
-    PetscCall(InverseRowsMerge_Private(rows, at));
+    num = rows->num - at;
+    PetscCall(CSRMatrixMergeRow(&num, &rows->column[at], &rows->value[at]));
+    rows->num = at + num;
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(MatGetOwnershipRange(vi->B, &begin, NULL));

@@ -1,4 +1,4 @@
-/* test_csrmatrix.c -- a matrix from compressed rows equals that of MatSetValues(), on any number of ranks. */
+/* test_csrmatrix.c -- a matrix from compressed rows equals that of MatSetValues(), and rows are merged, on any number of ranks. */
 #include "base/compat.h"
 #include "base/csrmatrix.h"
 #include "test.h"
@@ -16,6 +16,19 @@ static PetscInt Column(PetscInt row, PetscInt k, PetscInt all)
   return (row + 3 * (WIDTH - k)) % all;
 }
 
+static void TestMergeRow(void)
+{
+  PetscInt    num = 6, column[6] = {9, 2, 9, 5, 2, 9};
+  PetscScalar value[6] = {1, 2, 4, 8, 16, 32};
+
+  CHECK(!CSRMatrixMergeRow(&num, column, value));
+  CHECK(num == 3 && column[0] == 2 && column[1] == 5 && column[2] == 9);
+  CHECK(value[0] == 18 && value[1] == 8 && value[2] == 37);
+  num = 0;
+  CHECK(!CSRMatrixMergeRow(&num, NULL, NULL));
+  CHECK(num == 0);
+}
+
 int main(int argc, char **argv)
 {
   PetscInt    start[OWN + 1] = {0}, column[OWN * WIDTH], first, all, num = 0;
@@ -27,6 +40,7 @@ int main(int argc, char **argv)
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
   MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
   MPI_Comm_size(PETSC_COMM_WORLD, &size);
+  TestMergeRow();
   first = rank * OWN;
   all   = size * OWN;
   for (int ones = 0; ones < 2; ++ones) {

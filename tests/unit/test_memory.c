@@ -47,7 +47,7 @@ static PetscReal LimitHere(void)
   return limit;
 }
 
-/* What the heap keeps of freed memory that nobody touched is left, too. */
+/* Freed memory at the top of the heap that was never touched counts as left. */
 static void CheckHeap(PetscMPIInt size)
 {
   PetscReal before;
