@@ -331,7 +331,16 @@ static PetscReal BarsGetBeside_Private(const cJSON *row, const BarPath *path, Fl
   return values[0];
 }
 
-/* The floor of a number.
+/* The floor of a mean pressure: the force may be larger, and the area of contact smaller. NAN if nothing is
+   left of the area: such a mean has no bound.
+   [in] whole - floor of the force, relative; error - floor of the area */
+static PetscReal BarsGetMeanFloor_Private(PetscReal whole, PetscReal error, PetscReal mean, PetscReal area)
+{
+  if (!(area > 0)) return mean * whole;
+  return error < area ? mean * ((1 + whole) / (1 - error / area) - 1) : (PetscReal)NAN;
+}
+
+/* The floor of a number, NAN if its error has no bound.
    [in] owner - index of the body, side, pair or probe; i - of the number in its array; size - of the
    number, or of its vector; of a position, half the extent of contact; beside - of BarsGetBeside_Private() */
 static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind, PetscInt owner, PetscInt i,
@@ -354,7 +363,7 @@ static PetscReal BarsGetFloor_Private(const BarHistory *history, FloorKind kind,
   case FLOOR_SLIP: return PetscMax(floors->whole * size, floors->pair[owner].friction.slip);
   case FLOOR_HELD: return PetscMax(floors->whole * size, BAR_MARGIN * floors->pair[owner].friction.held);
   case FLOOR_WORK: return PetscMax(floors->whole * size, floors->pair[owner].friction.work);
-  case FLOOR_MEAN: return size * (floors->whole + (beside > 0 ? floors->pair[owner].area / beside : 0));
+  case FLOOR_MEAN: return BarsGetMeanFloor_Private(floors->whole, floors->pair[owner].area, size, beside);
   case FLOOR_PLACE: return PetscMax(floors->whole * size, floors->pair[owner].centre[i]);
   default: return floors->whole * size;
   }
@@ -387,7 +396,7 @@ static PetscErrorCode BarsAdd_Private(const BarHistory *history, const BarPath *
       Q[j] = BarsRead_Private(history->mesh[j].row, path, row, &other) > i ? row[i] : (PetscReal)NAN;
     }
     bars[i] = BarsOfSequence_Private(history, Q);
-    if (!PetscIsNanReal(bars[i])) bars[i] = PetscMax(bars[i], floor);
+    if (!PetscIsNanReal(bars[i])) bars[i] = PetscIsNanReal(floor) ? floor : PetscMax(bars[i], floor);
     if (kind >= FLOOR_STRESS && kind <= FLOOR_PRINCIPAL && PetscAbsReal(values[i]) > STRESS_ROUNDING * floor &&
         BarsStressGrows_Private(history->num, Q))
       bars[i] = (PetscReal)NAN;

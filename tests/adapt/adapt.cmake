@@ -65,6 +65,7 @@ mortise_scene_test(free_corner SCENE two_plates CHECK free_corner.py RANKS 1 ARG
 mortise_scene_test(half_discs CHECK swapped.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz2d_graded CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
 mortise_scene_test(hertz_axisymmetric CHECK hertz.py RANKS 1 ARGS -adapt 1e-2)
+mortise_scene_test(coarse_ball SCENE hertz_axisymmetric CHECK coarse_ball.py RANKS 1 ARGS -sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6 -adapt 0.5)
 # The page of -report has all bars.
 mortise_scene_test(page SCENE two_plates CHECK page.py RANKS 1 ARGS ${plates} -adapt 5e-2 -report)
 # The same meshes and numbers on any number of ranks, with either solver, multigrid and a second opinion.
