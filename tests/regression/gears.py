@@ -1,5 +1,5 @@
-"""Two pairs of teeth of an involute gear: their forces are equal and along the line of action, pressures are Hertz's. Forces are also those of
--adapt 3e-3, whose bars are 0.005."""
+"""Two pairs of teeth of an involute gear: their forces are along the line of action, pressures are Hertz's. Forces are also those of
+-adapt 3e-3, whose bars are 0.005. They are equal if both hubs turn by half: then a half turn about the pitch point changes nothing."""
 import math
 
 from judge import near
@@ -11,7 +11,9 @@ RADIUS = (REACH - HALF) * (REACH + HALF) / (2 * REACH)
 
 def judge(run):
     first, second = run.pair("first"), run.pair("second")
-    near("forces of both pairs", first["normal_force"], second["normal_force"], relative=1e-3)
+    half = run.again(*(text for hub, centre in (("driver", "x+20"), ("driven", "x-20"))
+                       for text in (f"-{hub}_bc_displacement_{hub}_hub", f"-2.5e-4*y, 2.5e-4*({centre})")))
+    near("forces of both pairs", half.pair("first")["normal_force"], half.pair("second")["normal_force"], relative=2e-4)
     for pair, finest in ((first, 105.715), (second, 105.645)):
         near("line of action", pair["force"][0] / pair["force"][1], math.tan(ANGLE), relative=3e-4)
         near("force", pair["normal_force"], finest, relative=3e-3)
