@@ -67,12 +67,12 @@ typedef enum {
 /* Residuals of the answer in the uncondensed system, all dimensionless. */
 typedef struct {
   PetscReal equilibrium;     /* |f - K u - B'lambda| over the size of the forces */
-  PetscReal gap;             /* largest penetration, over the size of displacements and gaps */
+  PetscReal gap;             /* largest penetration, over the size of displacements that strain */
   PetscReal pressure;        /* largest tension, over the size of the pressures */
   PetscReal complementarity; /* pressure times gap, over the work of the loads */
   PetscReal force, moment;   /* balance of the whole scene */
   PetscReal friction;        /* largest violation of the law of friction; 0 without friction */
-  PetscReal limit;           /* what none of them may exceed */
+  PetscReal rounding, limit; /* roundoff of nodal forces over their size, limit 1e-6; limit of all others */
   PetscBool holds;
 } MortiseCertificate;
 

@@ -341,7 +341,8 @@ PetscErrorCode MortiseGetCertificate(Mortise m, MortiseCertificate *certificate)
   PetscCall(ApiEnd(m, error));
   c            = &m->run->certificate;
   friction     = PetscMax(c->friction.cone, PetscMax(c->friction.slip, c->friction.dissipation));
-  *certificate = (MortiseCertificate){.equilibrium     = c->equilibrium,
+  *certificate = (MortiseCertificate){.rounding        = c->rounding,
+                                      .equilibrium     = c->equilibrium,
                                       .gap             = c->gap,
                                       .pressure        = c->pressure,
                                       .complementarity = c->complementarity,

@@ -126,6 +126,7 @@ void SolverSummaryAdd(const SummaryInput *in, cJSON *root)
   JSONAddReal(object, "pressure", c->pressure);
   JSONAddReal(object, "complementarity", c->complementarity);
   JSONAddReal(object, "pull", c->pull);
+  JSONAddReal(object, "rounding", c->rounding);
   object = cJSON_AddObjectToObject(solver, "balance");
   JSONAddReal(object, "force", c->force);
   JSONAddReal(object, "moment", c->moment);

@@ -1,9 +1,10 @@
 /* certificate.c -- residuals of the uncondensed KKT system  K u + B'lambda = f,  B u <= G,  lambda >= 0.
 
-   Every test is a violation over a size. A violation within the roundoff of its own sums means nothing, even
-   if the size is small: a body that moves rigidly has no forces. Therefore roundoff / tolerance times the
-   summed products is added to the size: value = violation / (size + roundoff / tolerance), held to the
-   tolerance.
+   Every test is a violation over a size. A violation within the roundoff of its own sums means nothing,
+   even if the size is small: a body that moves rigidly has no forces. Therefore roundoff / limit is added
+   to the size: value = violation / (size + roundoff / limit), held to the limit. What this excuses is
+   itself held to a limit. Forces of a small strain beside a large rigid motion have few digits, or none
+   (eq. 11.1a).
 
    Balance. With r the residual, split into a free part and the supports' part -R,
        f + R + C_obstacle = K u + B'lambda_mesh + r_free.
@@ -27,6 +28,10 @@ static const PetscReal TOLERANCE = 1e-6;
 /* The same where the solver stops at the discretisation error. The bound in the energy norm (eq. 14.7) then
    tells the error, and these tests detect only states without balance. */
 static const PetscReal STOPPED_TOLERANCE = 5e-2;
+
+/* A nodal force K u is known to this part of stiffness times displacement. Rigid motions of the tests, which
+   have no forces, leave 0.4 to 3.2 units of roundoff. */
+static const PetscReal NODE_ROUNDING = 4 * PETSC_MACHINE_EPSILON;
 
 /* What is summed over nodes and rows of all ranks. */
 enum {
@@ -55,10 +60,10 @@ enum { MAX_GAP, MAX_PRESSURE, MAX_COUNT };
 /* The forces on the nodes; noise is the roundoff of contact forces: a soft side gets that of a stiff one. */
 enum { LOADS, INNER, CONTACT, OBSTACLE, RESIDUAL, REACTION, NOISE, MESHES, FORCE_COUNT };
 
-/* The violation of a test over its size. */
-static PetscReal CertificateRatio_Private(PetscReal violation, PetscReal size, PetscReal roundoff)
+/* The violation of a test over its size. [in] limit - of the value */
+static PetscReal CertificateRatio_Private(PetscReal violation, PetscReal size, PetscReal roundoff, PetscReal limit)
 {
-  return violation == 0.0 ? 0.0 : violation / (size + roundoff / TOLERANCE);
+  return violation == 0.0 ? 0.0 : violation / (size + roundoff / limit);
 }
 
 /* The part of B'lambda with a rigid partner, or with another mesh that is in contact.
@@ -243,17 +248,17 @@ static PetscErrorCode CertificateSumNodes_Private(Fields fields, Vec reactions, 
 /* The force of a row of contact: a pressure on a weight below zero pulls. An open row has the remaining
    residual of the solver, which the test of tension measures. Sides that do not meet have no forces to
    compare it with. */
-static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal sums[])
+static void CertificateAddForce_Private(Fields fields, PetscInt r, PetscReal lambda, PetscReal limit, PetscReal sums[])
 {
   const PetscReal weight = fields->row_weight[r], force = lambda * weight;
 
   if (StatusIsContact(fields->row_status[r])) sums[SUM_PULL] += PetscMax(-force, 0.0);
-  sums[SUM_PRESS] += PetscAbsReal(force) + fields->row_noise[r] * PetscAbsReal(weight) / TOLERANCE;
+  sums[SUM_PRESS] += PetscAbsReal(force) + fields->row_noise[r] * PetscAbsReal(weight) / limit;
   sums[SUM_WEIGHTLESS] += fields->vi->row_D[r] > 0 && weight > 0 ? 0 : 1;
 }
 
 /* Rows: penetration, tension, complementarity. Tied rows must vanish, whatever their multiplier is. */
-static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal sums[], PetscReal largest[])
+static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal limit, PetscReal sums[], PetscReal largest[])
 {
   const VI         vi = fields->vi;
   const PetscReal *lambda, *slack;
@@ -267,12 +272,12 @@ static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal sums[]
       continue;
     }
     if (vi->row_direction[r]) continue; // friction has a law of its own
-    CertificateAddForce_Private(fields, r, lambda[r], sums);
+    CertificateAddForce_Private(fields, r, lambda[r], limit, sums);
     largest[MAX_GAP] = PetscMax(largest[MAX_GAP], -slack[r]);
     /* Per row, because the roundoff of a row with little coverage is larger. */
     largest[MAX_PRESSURE] =
         PetscMax(largest[MAX_PRESSURE],
-                 CertificateRatio_Private(PetscMax(-lambda[r], 0.0), fields->p_ref, fields->row_noise[r]));
+                 CertificateRatio_Private(PetscMax(-lambda[r], 0.0), fields->p_ref, fields->row_noise[r], limit));
     sums[SUM_COMPLEMENTARITY] += vi->row_D[r] * PetscAbsReal(lambda[r] * slack[r]);
     sums[SUM_COMPLEMENTARITY_ROUNDOFF] += vi->row_D[r] * fields->row_noise[r] * PetscAbsReal(slack[r]);
   }
@@ -281,27 +286,49 @@ static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal sums[]
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Turns the sums of all ranks into the dimensionless tests. */
+/* The roundoff of the nodal forces over their size; 0 where no loads act and the forces are roundoff alone.
+   [in] size - of the nodal forces */
+static PetscReal CertificateRounding_Private(const PetscReal sums[], PetscReal size)
+{
+  const PetscReal roundoff = PetscSqrtReal(sums[SUM_ROUNDOFF]);
+
+  if (roundoff == 0.0 || (sums[SUM_LOADS] == 0.0 && size <= roundoff)) return 0.0;
+  return NODE_ROUNDING / FIELDS_ROUNDOFF * roundoff / size;
+}
+
+/* The displacement that gaps are compared with: work of the forces over their sum. So a rigid motion does not
+   hide an overlap. Without forces all displacements are rigid. */
+static PetscReal CertificateStretch_Private(Fields fields, const PetscReal sums[])
+{
+  if (sums[SUM_SIZES] == 0.0) return fields->u_ref;
+  return PetscMin(PetscMax(sums[SUM_ENERGY], 0.0) / sums[SUM_SIZES], fields->u_ref);
+}
+
+/* Turns the sums of all ranks into the dimensionless tests. [in,out] c - its limit is given */
 static void CertificateSetRatios_Private(Fields fields, const PetscReal sums[], const PetscReal largest[],
                                          Certificate *c)
 {
+  const PetscReal limit = c->limit;
   const PetscReal size =
       PetscSqrtReal(sums[SUM_LOADS]) + PetscSqrtReal(sums[SUM_INNER]) + PetscSqrtReal(sums[SUM_CONTACT]);
   PetscReal rest[3];
 
-  c->equilibrium     = CertificateRatio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]));
-  c->gap             = CertificateRatio_Private(largest[MAX_GAP], fields->u_ref, 0.0);
+  c->rounding = CertificateRounding_Private(sums, size);
+  c->equilibrium =
+      CertificateRatio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]), limit);
+  c->gap             = CertificateRatio_Private(largest[MAX_GAP], CertificateStretch_Private(fields, sums),
+                                                FIELDS_ROUNDOFF * fields->u_ref, limit);
   c->pressure        = largest[MAX_PRESSURE];
-  c->pull            = CertificateRatio_Private(sums[SUM_PULL], sums[SUM_PRESS], 0.0);
+  c->pull            = CertificateRatio_Private(sums[SUM_PULL], sums[SUM_PRESS], 0.0, limit);
   c->weightless      = (PetscInt)sums[SUM_WEIGHTLESS];
   c->energy_norm     = PetscSqrtReal(PetscMax(sums[SUM_ENERGY], 0.0));
   c->complementarity = CertificateRatio_Private(sums[SUM_COMPLEMENTARITY], sums[SUM_WORK],
-                                                sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF]);
+                                                sums[SUM_WORK_ROUNDOFF] + sums[SUM_COMPLEMENTARITY_ROUNDOFF], limit);
   for (PetscInt k = 0; k < 3; k++) rest[k] = sums[SUM_MOMENT + k] - sums[SUM_PAIRMOMENT + k];
-  c->force  = CertificateRatio_Private(VectorNorm(3, &sums[SUM_FORCE]), sums[SUM_SIZES], sums[SUM_SIZES + 2]);
-  c->moment = CertificateRatio_Private(VectorNorm(3, rest), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
+  c->force  = CertificateRatio_Private(VectorNorm(3, &sums[SUM_FORCE]), sums[SUM_SIZES], sums[SUM_SIZES + 2], limit);
+  c->moment = CertificateRatio_Private(VectorNorm(3, rest), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3], limit);
   c->pair_moment =
-      CertificateRatio_Private(VectorNorm(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3]);
+      CertificateRatio_Private(VectorNorm(3, &sums[SUM_PAIRMOMENT]), sums[SUM_SIZES + 1], sums[SUM_SIZES + 3], limit);
 }
 
 /* The first test that does not hold, as a sentence. A NAN holds nothing. [in] stopped - whether at the
@@ -330,8 +357,15 @@ static PetscErrorCode CertificateDecide_Private(PetscBool stopped, Certificate *
   };
 
   PetscFunctionBeginUser;
-  c->holds      = PETSC_TRUE;
   c->failure[0] = '\0';
+  c->holds      = (PetscBool)(c->rounding <= TOLERANCE);
+  if (!c->holds)
+    PetscCall(
+        PetscSNPrintf(c->failure, sizeof(c->failure),
+                      "the certificate fails: roundoff is %.2g of the nodal forces, limit %.0e; displacements are "
+                      "too large beside the strains: support bodies that only friction or nothing holds, or place "
+                      "them nearer to contact",
+                      (double)c->rounding, (double)TOLERANCE));
   for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]) && c->holds; i++) {
     if (tests[i].value <= c->limit) continue;
     c->holds = PETSC_FALSE;
@@ -366,18 +400,18 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
     /* A maximum would lose a NAN on its way. */
     PetscCall(VecSet(*reactions, NAN));
     *certificate =
-        (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN, NAN}, .energy_norm = NAN, .limit = limit};
+        (Certificate){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN, NAN}, .energy_norm = NAN, .limit = limit};
     PetscCall(PetscSNPrintf(certificate->failure, sizeof(certificate->failure),
                             "the solution has numbers that are not finite; the linear systems may be singular: look "
                             "for an unsupported body, or try -pc_type lu"));
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(CertificateSumNodes_Private(fields, *reactions, sums, largest));
-  if (fields->lambda) PetscCall(CertificateSumRows_Private(fields, sums, largest));
+  if (fields->lambda) PetscCall(CertificateSumRows_Private(fields, limit, sums, largest));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, SUM_COUNT, MPIU_REAL, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, comm));
   CertificateSetRatios_Private(fields, sums, largest, certificate);
-  PetscCall(FrictionResidualCompute(fields, TOLERANCE, &certificate->friction));
+  PetscCall(FrictionResidualCompute(fields, limit, &certificate->friction));
   PetscCall(CertificateDecide_Private(stopped, certificate));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -7,9 +7,10 @@
 
 /* All dimensionless; the same on all ranks. NAN where the answer holds numbers that are not finite. */
 typedef struct {
-  PetscReal equilibrium; /* |f - K u - B'lambda| on free directions over the size of the forces */
-  PetscReal gap;         /* max (B u - G)_+ / D over u_ref; also |B u - G| of tied rows and |d.u - value| of supports */
-  PetscReal pressure;    /* max (-lambda)_+ over p_ref */
+  PetscReal rounding;        /* roundoff of K u over the size of the forces (eq. 11.1a); limit 1e-6 */
+  PetscReal equilibrium;     /* |f - K u - B'lambda| on free directions over the size of the forces */
+  PetscReal gap;             /* max (B u - G)_+ / D over u.Ku / sum |forces|, at most u_ref; also ties, supports */
+  PetscReal pressure;        /* max (-lambda)_+ over p_ref */
   PetscReal complementarity; /* sum D lambda |slack| over the work of the loads */
   PetscReal force,
       moment; /* balance of loads, reactions and obstacles of the whole scene, over the sum of their sizes */
@@ -18,7 +19,7 @@ typedef struct {
   FrictionResidual friction;    /* 0 without friction */
   PetscInt         weightless;  /* rows of contact that weigh nothing or less: there must be none */
   PetscReal        energy_norm; /* |u|_K = (u'Ku)^(1/2), in the user's units: reference of the error bound; no test */
-  PetscReal        limit;       /* limit of all those above except pair_moment */
+  PetscReal        limit;       /* limit of all those above except rounding and pair_moment */
   PetscBool        holds;
   char             failure[256]; /* which test failed, by how much, what to try; "" where it holds */
 } Certificate;

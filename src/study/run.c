@@ -19,9 +19,9 @@ static PetscErrorCode RunLeaveUnsolved_Private(Run run)
   Certificate      *c = &run->certificate;
 
   PetscFunctionBeginUser;
-  c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment = c->pull =
-      c->energy_norm = c->limit = NAN;
-  c->friction                   = (FrictionResidual){NAN, NAN, NAN};
+  c->rounding = c->equilibrium = c->gap = c->pressure = c->complementarity = c->force = c->moment = c->pair_moment =
+      c->pull = c->energy_norm = c->limit = NAN;
+  c->friction                             = (FrictionResidual){NAN, NAN, NAN};
   run->report.linear_residual = run->report.bound.value = NAN;
   if (run->checked) {
     PetscCall(PetscStrncpy(run->report.reason, "-check: nothing was solved", sizeof(run->report.reason)));

@@ -208,6 +208,37 @@ static PetscErrorCode TestWeights(Case *c)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A rigid motion beside which the strains are lost fails; and it hides no overlap. */
+static PetscErrorCode TestRigidMotion(Case *c, PetscReal push)
+{
+  const PetscReal   largest = c->fields->body_max[0], u_ref = c->fields->u_ref;
+  const PetscMPIInt first = 0;
+  PetscMPIInt       rank;
+  Certificate       certificate;
+  Vec               slack;
+
+  PetscFunctionBeginUser;
+  PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &rank));
+  for (PetscReal factor = 1e3; factor < 1e13; factor *= 1e8) {
+    c->fields->body_max[0] = factor * largest;
+    PetscCall(Certify(c, &certificate));
+    CHECK(certificate.holds == (PetscBool)(factor < 1e6) && certificate.equilibrium < 1e-12);
+    CHECK(certificate.holds || strstr(certificate.failure, "roundoff"));
+  }
+  c->fields->body_max[0] = largest;
+
+  PetscCall(VecDuplicate(c->fields->slack, &slack));
+  PetscCall(VecCopy(c->fields->slack, slack));
+  c->fields->u_ref = 1e6 * u_ref;
+  PetscCall(Spoil(c->fields->slack, rank == first ? 0 : -1, -0.1 * push));
+  PetscCall(Certify(c, &certificate));
+  CHECK(!certificate.holds && certificate.gap > 1e-3 && strstr(certificate.failure, "penetration"));
+  PetscCall(VecCopy(slack, c->fields->slack));
+  PetscCall(VecDestroy(&slack));
+  c->fields->u_ref = u_ref;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 int main(int argc, char **argv)
 {
   static const PetscReal pushes[] = {1e-2, 1e-8}; /* nothing depends on the size of the answer */
@@ -223,6 +254,7 @@ int main(int argc, char **argv)
     PetscCall(TestSolution(&c));
     PetscCall(TestSpoilt(&c, pushes[i]));
     PetscCall(TestWeights(&c));
+    PetscCall(TestRigidMotion(&c, pushes[i]));
     PetscCall(Destroy(&c));
   }
   /* Nothing pushes, nothing moves: solved, with all zeros. */
