@@ -30,7 +30,7 @@ struct _n_Expression {
   PetscReal  x[3];     // values of the variables x, y, z
   PetscBool  failed;   // an evaluation was not finite: the first one is described by the rest
   PetscInt   failed_component, failed_dim;
-  PetscReal  failed_x[3];
+  PetscReal  failed_x[3], failed_t;
 };
 
 /* Variables of formulas, in the order of x[]; r is the first coordinate as well. */
@@ -438,6 +438,7 @@ PetscErrorCode ExpressionEvaluate(Expression e, PetscInt dim, const PetscReal x[
     e->failed           = PETSC_TRUE;
     e->failed_component = c;
     e->failed_dim       = dim;
+    e->failed_t         = time_value;
     PetscCall(PetscArraycpy(e->failed_x, e->x, 3));
   }
   if (!e->constant) PetscCall(PetscFPTrapPop());
@@ -469,7 +470,7 @@ PetscErrorCode ExpressionTry(Expression e, PetscInt dim, const PetscReal x[], Pe
 
 PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
 {
-  char sentence[USER_ERROR_LENGTH] = "", point[128], shown[TEXT_SHOWN];
+  char sentence[USER_ERROR_LENGTH] = "", point[128], moment[64] = "", shown[TEXT_SHOWN];
 
   PetscFunctionBeginUser;
   if (!e || e->constant) PetscFunctionReturn(PETSC_SUCCESS);
@@ -482,8 +483,9 @@ PetscErrorCode ExpressionCheck(MPI_Comm comm, Expression e)
       snprintf(point, sizeof(point), "(%g, %g)", (double)x[0], (double)x[1]);
     else
       snprintf(point, sizeof(point), "(%g, %g, %g)", (double)x[0], (double)x[1], (double)x[2]);
-    snprintf(sentence, sizeof(sentence), "%s \"%s\": component %" PetscInt_FMT " is not a finite number at %s",
-             e->option, ExpressionShortenText_Private(e->text, shown), e->failed_component + 1, point);
+    if (ExpressionNames(e, "t")) snprintf(moment, sizeof(moment), ", t = %g", (double)e->failed_t);
+    snprintf(sentence, sizeof(sentence), "%s \"%s\": component %" PetscInt_FMT " is not a finite number at %s%s",
+             e->option, ExpressionShortenText_Private(e->text, shown), e->failed_component + 1, point, moment);
   }
   e->failed = PETSC_FALSE;
   PetscCall(UserErrorCheck(comm, sentence));

@@ -23,6 +23,8 @@ mortise_scene_test(oblique SCENE fretting CHECK oblique.py ARGS -upper_dm_plex_b
   -upper_bc_displacement_top "0.0006*t,-0.0105*t" -load_steps_halved 1)
 mortise_mistake(halves_nothing SCENE greco RANKS 1 ARGS -load_steps_halved 1 SAYS "-load_steps_halved 1: there are no steps to halve")
 mortise_mistake(halves_meshes SCENE greco RANKS 1 ARGS -load_steps 2 -load_steps_halved 1 -adapt 1e-2 SAYS "-load_steps_halved 1: the bars of -adapt are those of meshes")
+mortise_mistake(halves_at_zero SCENE dragged RANKS 1 ARGS -block_bc_displacement_top "2e-3*t, -1e-3*min(t,1)+0*log(t)"
+  SAYS "-block_bc_displacement_top" "component 2 is not a finite number" ", t = 0")
 mortise_mistake(halves_without SCENE two_plates RANKS 1 ARGS -load_steps 2 -load_steps_halved 1 SAYS "-load_steps_halved 1: without friction")
 # By multigrid, at full size: the default of large scenes alone.
 mortise_scene_test(incline_iterates SCENE incline CHECK iterates.py RANKS 1 3 ARGS -pc_type truncatedmg -ksp_monitor LABELS sanitize)

@@ -198,6 +198,12 @@ static void TestTime(void)
   CHECK(values[0] == 5 && values[1] == 12 && values[2] == 0 && ExpressionIsFree(e, 2));
   Evaluate(other, 1, 0, 0, 0, values);
   CHECK(values[0] == 0.5);
+  CHECK(!ExpressionDestroy(&other));
+  other = Read("x/t", 1, PETSC_FALSE);
+  ExpressionSetTime(0);
+  Evaluate(other, 1, 0.25, 0, 0, values);
+  CHECK(ExpressionCheck(PETSC_COMM_WORLD, other) == MORTISE_ERR_USER);
+  CHECK(!strcmp(UserErrorSentence(), "-datum \"x/t\": component 1 is not a finite number at 0.25, t = 0"));
   ExpressionSetTime(1);
   CHECK(!ExpressionDestroy(&e));
   CHECK(!ExpressionDestroy(&other));
