@@ -88,7 +88,8 @@ PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec sta
   PDAS           *pdas  = method->pdas;
   PetscInt        begun = pdas->iterations;
   const PetscBool warm  = (PetscBool)(pdas->coarser.slipping + pdas->coarser.sticking > 0);
-  PetscBool       moved = (PetscBool)(method->plain || method->grows || pdas->fixed_point || warm);
+  PetscBool       moved =
+      (PetscBool)(method->plain || method->grows || pdas->fixed_point || warm || (stops && pdas->friction_yields));
 
   PetscFunctionBeginUser;
   PetscCall(FrictionIterationRestart(method));
@@ -159,12 +160,14 @@ static PetscErrorCode FrictionIterationLargest_Private(FrictionMethod method, Pe
 static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, FrictionMethod method, Vec y)
 {
   PetscReal largest;
-  PetscBool pivoted = PETSC_FALSE;
+  PetscBool stops, pivoted = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   PetscCall(FrictionIterationLargest_Private(method, &largest));
-  PetscCall(FrictionIterationNewton(snes, method, y, (PetscBool)(!method->pivot && largest > LARGE_COEFFICIENT)));
+  stops = (PetscBool)(!method->pivot && largest > LARGE_COEFFICIENT);
+  PetscCall(FrictionIterationNewton(snes, method, y, stops));
   if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
+  if (stops && pdas->friction_yields) PetscFunctionReturn(PETSC_SUCCESS);
   if (method->pivot) PetscCall((*method->pivot)(method, PETSC_TRUE, &pivoted));
   if (pivoted) {
     pdas->failure = NULL;

@@ -107,6 +107,16 @@ PetscErrorCode PDASSetFrictionRho(SNES snes, PetscBool needed, const FrictionRep
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+PetscErrorCode PDASSetFrictionYields(SNES snes, PetscBool yields)
+{
+  PDAS *pdas;
+
+  PetscFunctionBeginUser;
+  PetscCall(PDASGet(snes, &pdas));
+  pdas->friction_yields = yields;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode PDASSetFrictionCoupling(SNES snes, PetscBool needed)
 {
   PDAS *pdas;

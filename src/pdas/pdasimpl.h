@@ -195,8 +195,9 @@ typedef struct {
   FrictionReport     coarser;     /* of PDASSetFrictionRho(), no nodes for none */
   PetscBool          rho_skipped; /* rho is not wanted */
   PetscBool          coupling_needed;
-  PetscReal          friction_rtol; /* of PDASSetFrictionTolerance() */
-  PetscBool          fixed_point;   /* over Tresca problems, instead of Newton's method */
+  PetscBool          friction_yields; /* of PDASSetFrictionYields() */
+  PetscReal          friction_rtol;   /* of PDASSetFrictionTolerance() */
+  PetscBool          fixed_point;     /* over Tresca problems, instead of Newton's method */
   /* and what is kept for the next solve, if matrix and bounds stay the same */
   PetscBool    keep;
   ActiveSet    set;
@@ -221,6 +222,10 @@ PetscErrorCode PDASChooseSolver(SNES snes, PDAS *pdas, Mat A, Vec b, Vec y);
 PetscErrorCode PDASSetErrorReduction(SNES snes, PetscReal reduction, PetscReal decrease);
 /* The same for one solver. Not collective. */
 PetscErrorCode ConvergenceSetErrorReduction(ActiveSolver solver, PetscReal error_reduction, PetscReal energy_decrease);
+
+/* Whether the iteration with friction gives up at full size, where steps stall with a coefficient above 1.
+   Then a dense system can take its place. Default: no. Collective. */
+PetscErrorCode PDASSetFrictionYields(SNES snes, PetscBool yields);
 
 /* The solver of the last solve, with its final set, if it was kept (PDASSetKeep()) and converged. Borrowed,
    NULL if there is none. Not collective. */

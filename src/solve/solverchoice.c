@@ -327,7 +327,7 @@ static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *ch
   const MPI_Comm  comm     = PetscObjectComm((PetscObject)vi->b);
   const PetscBool iterable = (PetscBool)(vi->mesh && !choice->nearly);
   PetscBool       dense, multigrid;
-  PetscInt        num;
+  PetscInt        num, size;
 
   PetscFunctionBeginUser;
   if (!vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
@@ -354,7 +354,9 @@ static PetscErrorCode SolverChoiceChooseFriction_Private(VI vi, SolverChoice *ch
   }
   PetscCall(SolverChoiceCheckFriction_Private(comm, choice, num, dense, iterable));
   PetscCall(FrictionLawIsGiven(vi, &choice->bound));
+  PetscCall(VecGetSize(vi->b, &size));
   choice->reducible = (PetscBool)(multigrid && num <= MAX_FRICTION);
+  choice->stalls    = (PetscBool)(multigrid && num <= DENSE_FRICTION && vi->level->dim == 2 && size <= DIRECT_2D);
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

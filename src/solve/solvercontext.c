@@ -2,6 +2,7 @@
 #include <string.h>
 #include "base/compat.h"
 #include "pdas/pdas.h"
+#include "pdas/pdasimpl.h"
 #include "rigid/nearnullspace.h"
 #include "solve/solvercontext.h"
 #include "multigrid/multigrid.h"
@@ -135,6 +136,7 @@ PetscErrorCode SolverContextCreate(Solver solver, const SolverChoice *choice, Pe
   PetscCall(SNESSetupCreate(&context->proximal.solved, choice, context->scratch, &context->norm, &context->snes));
   if (!strcmp(choice->snes, SNESPDAS)) PetscCall(SolverContextSetAreas_Private(vi, context->snes));
   if (vi->friction) PetscCall(PDASSetFriction(context->snes, vi->friction));
+  if (vi->friction) PetscCall(PDASSetFrictionYields(context->snes, choice->stalls));
   if (choice->fixed_point) PetscCall(PDASSetFrictionFixedPoint(context->snes, PETSC_TRUE));
   PetscCall(SNESGetKSP(context->snes, &ksp));
   PetscCall(KSPGetPC(ksp, &context->pc));
