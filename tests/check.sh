@@ -32,13 +32,20 @@ build() {
   quietly cmake --build "$folder" -j "$jobs"
 }
 
+# check_sanitized <folder> <options of ctest> <tests side by side>
+check_sanitized() {
+  echo "testing with sanitizers"
+  quietly ctest --test-dir "$1" $2 -j "$3" --output-on-failure
+}
+
 # The memory of the few unit tests whose arrays are indexed most, and of objects that end one after the other, within PETSc, too, where
 # sanitizers do not look; suppressed is what Open MPI does at its start and end.
 check_memory() {
-  local valgrind="valgrind --quiet --error-exitcode=9 --suppressions=/usr/share/openmpi/openmpi-valgrind.supp" module
+  local valgrind="valgrind --quiet --error-exitcode=9 --suppressions=/usr/share/openmpi/openmpi-valgrind.supp" module unit="$1/tests/test_units "
+  if [ $long = ON ]; then unit="$1/tests/test_"; fi
   for module in clip dual element boxtree; do
     echo "valgrind: $module"
-    quietly $valgrind "$1/tests/test_$module" -skip_petscrc
+    quietly $valgrind $unit$module -skip_petscrc
   done
   echo "valgrind: multigrid"
   quietly $valgrind "$1/mortise" -skip_petscrc -options_file options/two_plates.opts -upper_dm_plex_box_faces 2,2 -lower_dm_plex_box_faces 1,1 \
@@ -68,8 +75,17 @@ starting=$(starting_flags "$PWD/build/unused")
 build build/check -DCMAKE_BUILD_TYPE=Release -DMORTISE_TEST_LONG=$long -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$long
 build build/sanitize -DCMAKE_BUILD_TYPE=Debug -DMORTISE_SANITIZE=address,undefined
 wait $installing
-echo "testing with sanitizers"
-quietly ctest --test-dir build/sanitize $sanitized -j "$tests" --output-on-failure
+sanitizing=""
+if [ $long = ON ]; then
+  check_sanitized build/sanitize "$sanitized" "$tests"
+else # beside all others: neither waits for the last test of the other
+  check_sanitized build/sanitize "$sanitized" $((2 * jobs)) &
+  sanitizing=$!
+  trap 'kill $sanitizing 2>/dev/null || true' EXIT
+fi
 if [ -z "${CI:-}" ] && command -v valgrind >/dev/null; then check_memory build/check; fi
 check_kernels build/check
-ctest --test-dir build/check $rest -j "$tests" --output-on-failure
+failed=0
+ctest --test-dir build/check $rest -j "$tests" --output-on-failure || failed=1
+[ -z "$sanitizing" ] || wait $sanitizing || failed=1
+exit $failed

@@ -65,7 +65,7 @@ mortise_scene_test(small_forces SCENE fretting CHECK small_forces.py ARGS -pc_ty
 mortise_scene_test(restart_ring SCENE pull_off CHECK restart.py RANKS 1 ARGS -load_steps 0,2,4,8,12)
 mortise_scene_test(restart_pairs LONG SCENE clamp CHECK restart.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(restart_solid SCENE incline_solid CHECK restart.py RANKS 3 ARGS -load_steps 4)
-mortise_scene_test(crawl CHECK crawl.py RANKS 1 3)
+mortise_scene_test(crawl CHECK crawl.py RANKS 1 LONG_RANKS 3)
 # The corner slides in the step before the break alone; it has no friction in any.
 mortise_scene_test(restart_slides SCENE pushed CHECK restart.py RANKS 1 ARGS -block_bc_displacement_left "1e-2*(t<1.5),free" -block_bc_pressure_top "1+0.5*max(t-2,0)" -load_steps 1,2,3)
 mortise_scene_test(restart_mistakes SCENE incline CHECK restart_mistakes.py ONLY_RANKS "the check itself takes several" ARGS -load_steps 1)
