@@ -27,14 +27,31 @@ PetscErrorCode NodeLevelsBegin(const Operator *op, NodeTable *table, NodeSet *no
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* sum := sum + own. [in] own - of this rank's entries */
+static PetscErrorCode NodeLevelsAddOwn_Private(Vec sum, const PetscScalar own[])
+{
+  PetscScalar *s;
+  PetscInt     n;
+
+  PetscFunctionBeginUser;
+  PetscCall(VecGetLocalSize(sum, &n));
+  PetscCall(VecGetArray(sum, &s));
+  for (PetscInt i = 0; i < n; i++) s[i] += own[i];
+  PetscCall(VecRestoreArray(sum, &s));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode NodeLevelsSumSquares(Mat P, Vec open, Vec *weight)
 {
   const PetscScalar *o = NULL;
-  PetscInt           begin, end;
+  PetscInt           begin, end, first, last;
+  PetscScalar       *own;
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(P, weight, NULL));
   PetscCall(MatGetOwnershipRange(P, &begin, &end));
+  PetscCall(MatGetOwnershipRangeColumn(P, &first, &last));
+  PetscCall(PetscCalloc1(last - first, &own));
   if (open) PetscCall(VecGetArrayRead(open, &o));
   for (PetscInt row = begin; row < end; row++) {
     PetscInt           num;
@@ -43,12 +60,21 @@ PetscErrorCode NodeLevelsSumSquares(Mat P, Vec open, Vec *weight)
 
     if (o && o[row - begin] == 0) continue;
     PetscCall(MatGetRow(P, row, &num, &columns, &values));
-    for (PetscInt j = 0; j < num; j++) PetscCall(VecSetValue(*weight, columns[j], values[j] * values[j], ADD_VALUES));
+    for (PetscInt j = 0; j < num; j++) {
+      const PetscScalar square = values[j] * values[j];
+
+      if (columns[j] >= first && columns[j] < last)
+        own[columns[j] - first] += square;
+      else
+        PetscCall(VecSetValue(*weight, columns[j], square, ADD_VALUES));
+    }
     PetscCall(MatRestoreRow(P, row, &num, &columns, &values));
   }
   if (open) PetscCall(VecRestoreArrayRead(open, &o));
   PetscCall(VecAssemblyBegin(*weight));
   PetscCall(VecAssemblyEnd(*weight));
+  PetscCall(NodeLevelsAddOwn_Private(*weight, own));
+  PetscCall(PetscFree(own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
