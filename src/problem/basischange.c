@@ -7,8 +7,6 @@
    of eq. 3.5 on tri6 (couplings.h), and u = S u~ comes last. */
 #include "base/compat.h"
 #include "base/csrmatrix.h"
-#include "kernel/frame.h"
-#include "kernel/vector.h"
 #include "problem/pairarms.h"
 
 /* A unit vector is along an axis, or two are parallel, to this. */
@@ -21,193 +19,46 @@ static const PetscReal NEGLIGIBLE_POWER = 1e-17;
    place of a seam between two pairs the factor is 0.7. */
 enum { REMOVED_POWERS = 128 };
 
-/* F^-1 of a 2 x 2 or 3 x 3 matrix by cofactors. [in] F - [dim][dim]; [out] Finv - [dim][dim] */
-static void BasisChangeInvertFrame_Private(PetscInt dim, const PetscReal F[], PetscReal Finv[])
-{
-  if (dim == 2) {
-    const PetscReal det = F[0] * F[3] - F[1] * F[2];
-    Finv[0]             = F[3] / det;
-    Finv[1]             = -F[1] / det;
-    Finv[2]             = -F[2] / det;
-    Finv[3]             = F[0] / det;
-    return;
-  }
-  for (PetscInt i = 0; i < 3; i++) {
-    const PetscInt i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-    for (PetscInt j = 0; j < 3; j++) {
-      const PetscInt j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      Finv[j * 3 + i] = F[i1 * 3 + j1] * F[i2 * 3 + j2] - F[i1 * 3 + j2] * F[i2 * 3 + j1];
-    }
-  }
-  const PetscReal det = F[0] * Finv[0] + F[1] * Finv[3] + F[2] * Finv[6];
-  for (PetscInt i = 0; i < 9; i++) Finv[i] /= det;
-}
-
-/* The axis that a unit vector lies along, or -1. */
-static PetscInt BasisChangeFindAxis_Private(PetscInt dim, const PetscReal d[])
-{
-  for (PetscInt k = 0; k < dim; k++) {
-    if (PetscAbsReal(d[k]) > 1 - PARALLEL) return k;
-  }
-  return -1;
-}
-
-/* Whether some held direction of a node is not an axis. */
-static PetscBool BasisChangeIsObliquelyFixed_Private(const Support *held, PetscInt node)
-{
-  const PetscInt dim = held->dim;
-
-  for (PetscInt j = 0; j < held->count[node]; j++) {
-    if (BasisChangeFindAxis_Private(dim, &held->directions[(node * dim + j) * dim]) < 0) return PETSC_TRUE;
-  }
-  return PETSC_FALSE;
-}
-
-/* Marks special nodes in of_node (0 special, -1 ordinary) and lists them. */
-static PetscErrorCode NodeBasesListNodes_Private(VI vi, NodeBases *bases)
-{
-  const Level *level = vi->level;
-  PetscInt     num   = 0;
-
-  PetscFunctionBeginUser;
-  PetscCall(PetscMalloc1(level->num_owned, &bases->of_node));
-  for (PetscInt i = 0; i < level->num_owned; i++)
-    bases->of_node[i] = BasisChangeIsObliquelyFixed_Private(&vi->support, i) ? 0 : -1;
-  for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) bases->of_node[vi->pairs[p]->nodes[k]] = 0;
-  }
-  for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (bases->of_node[i] == 0) bases->of_node[i] = num++;
-  }
-  bases->num = num;
-  PetscCall(PetscMalloc3(num, &bases->node, num * level->dim * level->dim, &bases->F, num * level->dim * level->dim,
-                         &bases->Finv));
-  for (PetscInt i = 0; i < level->num_owned; i++) {
-    if (bases->of_node[i] >= 0) bases->node[bases->of_node[i]] = i;
-  }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Whether a support fixes a node along a tangent: the node cannot slide, or needs no tie there. The support
-   takes the tangential force. */
-static PetscBool BasisChangeIsHeld_Private(const Support *held, PetscInt node, const PetscReal tangent[])
-{
-  const PetscInt dim = held->dim;
-
-  for (PetscInt j = 0; j < held->count[node]; j++) {
-    PetscReal dot = 0;
-
-    for (PetscInt k = 0; k < dim; k++) dot += held->directions[(node * dim + j) * dim + k] * tangent[k];
-    if (PetscAbsReal(dot) > 1 - PARALLEL) return PETSC_TRUE;
-  }
-  return PETSC_FALSE;
-}
-
-/* Enters one node of a pair: a row of B and of F per constrained direction.
-   [in,out] used - rows of F already taken by constraints [bases->num] */
-static void NodeBasesAddNode_Private(VI vi, NodeBases *bases, PetscInt p, PetscInt k, PetscInt used[], PetscInt *row)
-{
-  const Pair      pair = vi->pairs[p];
-  const PetscInt  dim = vi->level->dim, node = pair->nodes[k], s = bases->of_node[node];
-  const PetscInt  num    = pair->spec->type == PAIR_TIED || ScenePairHasFriction(pair->spec) ? dim : 1;
-  PetscReal      *F      = &bases->F[s * dim * dim];
-  const PetscReal weight = pair->D[k] * vi->scene->thickness;
-
-  if (used[s] == 0) {
-    for (PetscInt i = 0; i < dim * dim; i++) F[i] = pair->frame[k * dim * dim + i];
-  } else { // a second constraint takes the place of the first tangent
-    for (PetscInt i = 0; i < dim; i++) F[used[s] * dim + i] = pair->normal[k * dim + i];
-  }
-  for (PetscInt i = 0; i < num; i++) {
-    const PetscInt unknown = used[s]++;
-
-    if (i && BasisChangeIsHeld_Private(&vi->support, node, &F[unknown * dim])) continue;
-    vi->row_pair[*row]      = p;
-    vi->row_node[*row]      = k;
-    vi->row_direction[*row] = i;
-    vi->row_dof[*row]       = dim * (vi->level->node_begin + node) + unknown;
-    vi->row_D[(*row)++]     = weight;
-  }
-}
-
-/* The last direction of a node in 3D with two constraints: across both normals. */
-static void NodeBasesCompleteFrame_Private(PetscInt dim, PetscInt used, PetscReal F[])
-{
-  if (dim < 3 || used != 2) return;
-  VectorCross(F, &F[3], &F[6]);
-  FrameNormalize(3, &F[6]);
-}
-
-PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases)
-{
-  const PetscInt dim = vi->level->dim;
-  PetscInt      *used, row = 0, most = 0;
-
-  PetscFunctionBeginUser;
-  PetscCall(NodeBasesListNodes_Private(vi, bases));
-  for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    const ScenePair *spec = vi->pairs[p]->spec;
-
-    most += vi->pairs[p]->num * (spec->type == PAIR_TIED || ScenePairHasFriction(spec) ? dim : 1);
-  }
-  PetscCall(PetscMalloc5(most, &vi->row_pair, most, &vi->row_node, most, &vi->row_direction, most, &vi->row_dof, most,
-                         &vi->row_D));
-  PetscCall(PetscCalloc1(bases->num, &used));
-  for (PetscInt s = 0; s < bases->num; s++) { // oblique supports; pairs overwrite theirs
-    PetscCall(PetscArraycpy(&bases->F[s * dim * dim], &vi->support.directions[bases->node[s] * dim * dim], dim * dim));
-  }
-  for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    for (PetscInt k = 0; k < vi->pairs[p]->num; k++) NodeBasesAddNode_Private(vi, bases, p, k, used, &row);
-  }
-  vi->num_rows = row;
-  for (PetscInt s = 0; s < bases->num; s++) {
-    NodeBasesCompleteFrame_Private(dim, used[s], &bases->F[s * dim * dim]);
-    BasisChangeInvertFrame_Private(dim, &bases->F[s * dim * dim], &bases->Finv[s * dim * dim]);
-  }
-  PetscCall(PetscFree(used));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode NodeBasesDestroy(NodeBases *bases)
-{
-  PetscFunctionBeginUser;
-  PetscCall(PetscFree(bases->of_node));
-  PetscCall(PetscFree3(bases->node, bases->F, bases->Finv));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-/* Adds R - 1, which is F^-1 - 1 at special nodes. */
+/* Adds R - 1, which is F^-1 - 1 at special nodes. [in,out] X - rows of these nodes */
 static PetscErrorCode BasisChangeAddR_Private(VI vi, const NodeBases *bases, Mat X)
 {
   const PetscInt dim = vi->level->dim;
+  PetscInt       begin;
 
   PetscFunctionBeginUser;
+  PetscCall(MatGetOwnershipRange(X, &begin, NULL));
   for (PetscInt s = 0; s < bases->num; s++) {
-    const PetscInt first = dim * (vi->level->node_begin + bases->node[s]);
+    const PetscInt row = begin + dim * s, column = dim * (vi->level->node_begin + bases->node[s]);
 
     for (PetscInt e = 0; e < dim * dim; e++) {
       const PetscReal value = bases->Finv[s * dim * dim + e] - (e / dim == e % dim ? 1 : 0);
 
-      if (value != 0) PetscCall(MatSetValue(X, first + e / dim, first + e % dim, value, ADD_VALUES));
+      if (value != 0) PetscCall(MatSetValue(X, row + e / dim, column + e % dim, value, ADD_VALUES));
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Adds -(1/D) F^-1_(.,i) (x) F_i for every entry of row `node` of a node x node matrix. */
-static PetscErrorCode BasisChangeAddCoupling_Private(VI vi, const NodeBases *bases, Mat C, PetscInt row, Mat E)
+/* Adds E of one row of the pairs: -(1/D) F^-1_(.,i) (x) F_i for every entry of its node, and arms.
+   [in,out] E - rows of special nodes */
+static PetscErrorCode BasisChangeAddCoupling_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
+                                                     PetscInt r, Mat E)
 {
-  const Pair         pair = vi->pairs[vi->row_pair[row]];
-  const PetscInt     dim = vi->level->dim, k = vi->row_node[row], i = vi->row_dof[row] % dim;
-  const PetscInt     s = bases->of_node[pair->nodes[k]], block = vi->level->node_begin + pair->nodes[k];
+  const PetscInt     p    = vi->row_pair[r];
+  const Pair         pair = vi->pairs[p];
+  const PetscInt     dim = vi->level->dim, k = vi->row_node[r], i = vi->row_dof[r] % dim;
+  const PetscInt     s = bases->of_node[pair->nodes[k]];
   const PetscReal   *F = &bases->F[s * dim * dim], *Finv = &bases->Finv[s * dim * dim];
-  PetscInt           num;
+  PetscInt           num, begin, block;
   const PetscInt    *columns;
   const PetscScalar *values;
   PetscScalar        Eb[9];
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetRow(C, block, &num, &columns, &values));
+  if (!couplings->basis[p]) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatGetOwnershipRange(E, &begin, NULL));
+  block = begin / dim + s;
+  PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + pair->nodes[k], &num, &columns, &values));
   for (PetscInt c = 0; c < num; c++) {
     const PetscReal coefficient = -PetscRealPart(values[c]) / pair->D[k];
     for (PetscInt j = 0; j < dim; j++) {
@@ -215,56 +66,58 @@ static PetscErrorCode BasisChangeAddCoupling_Private(VI vi, const NodeBases *bas
     }
     PetscCall(MatSetValuesBlocked(E, 1, &block, 1, &columns[c], Eb, ADD_VALUES));
   }
-  PetscCall(MatRestoreRow(C, block, &num, &columns, &values));
+  PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + pair->nodes[k], &num, &columns, &values));
+  PetscCall(PairArmsAddToE(vi, bases, couplings->arm[p], r, dim * block, E));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Entries of a node's rows of E, over all its constraints. [out] nnz - blocks per owned node [num_owned] */
-static PetscErrorCode BasisChangeCountE_Private(VI vi, const Couplings *couplings, PetscInt nnz[])
+/* Entries of a node's rows of E, over all its constraints.
+   [in,out] nnz - blocks per special node [bases->num] */
+static PetscErrorCode BasisChangeCountE_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
+                                                PetscInt nnz[])
 {
   const PetscInt dim = vi->level->dim;
   PetscInt       num;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscArrayzero(nnz, vi->level->num_owned));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
     for (PetscInt k = 0; couplings->basis[p] && k < vi->pairs[p]->num; k++) {
-      const PetscInt node = vi->pairs[p]->nodes[k];
+      const PetscInt node = vi->pairs[p]->nodes[k], s = bases->of_node[node];
       PetscCall(MatGetRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
-      nnz[node] += num;
+      nnz[s] += num;
       PetscCall(MatRestoreRow(couplings->basis[p], vi->level->node_begin + node, &num, NULL, NULL));
       PetscCall(PairArmsCount(couplings->arm[p], dim, vi->level->node_begin + node, &num));
-      nnz[node] += num;
+      nnz[s] += num;
     }
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* A sum of R - 1 and E, what other displacements contribute to u~ at special nodes. Other rows are empty. */
+/* A sum of R - 1 and E, what other displacements contribute to u~ at special nodes. Collective.
+   [out] sum - rows of these nodes, also empty ones; to be released by BasisFactorDestroy() */
 static PetscErrorCode BasisChangeCreateSum_Private(VI vi, const NodeBases *bases, const Couplings *couplings,
-                                                   PetscBool with_R, PetscBool with_E, Mat *sum)
+                                                   PetscBool with_R, PetscBool with_E, BasisFactor *sum)
 {
-  const PetscInt dim = vi->level->dim, n = vi->level->num_owned, rest = vi->level->num_global - n;
+  const PetscInt dim = vi->level->dim, n = vi->level->num_owned, num = bases->num;
   PetscInt      *nnz, *d_nnz, *o_nnz;
 
   PetscFunctionBeginUser;
-  PetscCall(PetscCalloc3(n, &nnz, n * dim, &d_nnz, n * dim, &o_nnz));
-  if (with_E) PetscCall(BasisChangeCountE_Private(vi, couplings, nnz));
-  for (PetscInt i = 0; i < n * dim; i++) {
-    d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R && bases->of_node[i / dim] >= 0 ? 1 : 0), n);
-    o_nnz[i] = dim * PetscMin(nnz[i / dim], rest);
+  PetscCall(PetscCalloc3(num, &nnz, num * dim, &d_nnz, num * dim, &o_nnz));
+  if (with_E) PetscCall(BasisChangeCountE_Private(vi, bases, couplings, nnz));
+  for (PetscInt i = 0; i < num * dim; i++) {
+    d_nnz[i] = dim * PetscMin(nnz[i / dim] + (with_R ? 1 : 0), n);
+    o_nnz[i] = dim * PetscMin(nnz[i / dim], vi->level->num_global - n);
   }
-  PetscCall(MatCreateAIJ(vi->level->comm, n * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz, sum));
-  PetscCall(MatSetBlockSize(*sum, dim));
+  PetscCall(MatCreateAIJ(vi->level->comm, num * dim, n * dim, PETSC_DETERMINE, PETSC_DETERMINE, 0, d_nnz, 0, o_nnz,
+                         &sum->few));
+  PetscCall(MatSetBlockSize(sum->few, dim));
   PetscCall(PetscFree3(nnz, d_nnz, o_nnz));
-  if (with_R) PetscCall(BasisChangeAddR_Private(vi, bases, *sum));
-  for (PetscInt r = 0; r < (with_E ? vi->num_rows : 0); r++) {
-    const Mat C = couplings->basis[vi->row_pair[r]];
-    if (C) PetscCall(BasisChangeAddCoupling_Private(vi, bases, C, r, *sum));
-    PetscCall(PairArmsAddToE(vi, bases, couplings->arm[vi->row_pair[r]], r, *sum));
-  }
-  PetscCall(MatAssemblyBegin(*sum, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*sum, MAT_FINAL_ASSEMBLY));
+  if (with_R) PetscCall(BasisChangeAddR_Private(vi, bases, sum->few));
+  for (PetscInt r = 0; r < (with_E ? vi->num_rows : 0); r++)
+    PetscCall(BasisChangeAddCoupling_Private(vi, bases, couplings, r, sum->few));
+  PetscCall(MatAssemblyBegin(sum->few, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(sum->few, MAT_FINAL_ASSEMBLY));
+  PetscCall(ISCreateBlock(PETSC_COMM_SELF, dim, num, bases->node, PETSC_COPY_VALUES, &sum->rows));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -301,21 +154,34 @@ static PetscErrorCode BasisChangeIsChained_Private(VI vi, const NodeBases *bases
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 + X <- (1 + E + E E + ..) (1 + X) */
-static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat X)
+/* V = E X. [in] E, X - rows of special nodes; [out] V - the same, owned by the caller */
+static PetscErrorCode BasisChangeMultiply_Private(const BasisFactor *E, Mat X, Mat *V)
+{
+  Mat square;
+
+  PetscFunctionBeginUser;
+  PetscCall(BasisFactorCreateSquare(&(BasisFactor){.few = X, .rows = E->rows}, &square));
+  PetscCall(MatMatMult(E->few, square, MAT_INITIAL_MATRIX, PETSC_DEFAULT, V));
+  PetscCall(MatProductClear(*V)); // it would keep its factors
+  PetscCall(MatDestroy(&square));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* 1 + X <- (1 + E + E E + ..) (1 + X). [in,out] X - rows of special nodes */
+static PetscErrorCode BasisChangeAddPowers_Private(VI vi, const BasisFactor *E, Mat X)
 {
   Mat       V, next;
   PetscReal norm;
 
   PetscFunctionBeginUser;
-  PetscCall(MatMatMult(E, X, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &V));
-  PetscCall(MatAXPY(V, 1.0, E, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(BasisChangeMultiply_Private(E, X, &V));
+  PetscCall(MatAXPY(V, 1.0, E->few, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
   for (PetscInt power = 1; norm > NEGLIGIBLE_POWER; power++) {
     PetscCheck(power <= vi->num_pairs + REMOVED_POWERS, vi->level->comm, PETSC_ERR_PLIB,
                "The coupling of the pairs does not fade");
     PetscCall(MatAXPY(X, 1.0, V, DIFFERENT_NONZERO_PATTERN));
-    PetscCall(MatMatMult(E, V, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &next));
+    PetscCall(BasisChangeMultiply_Private(E, V, &next));
     PetscCall(MatDestroy(&V));
     V = next;
     PetscCall(MatNorm(V, NORM_FROBENIUS, &norm));
@@ -324,120 +190,164 @@ static PetscErrorCode BasisChangeAddPowers_Private(VI vi, Mat E, Mat X)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* 1 + X <- S (1 + X) */
-static PetscErrorCode BasisChangeShift_Private(const Couplings *couplings, Mat X)
+/* 1 + X <- S (1 + X), which has rows of other nodes, too. Collective. */
+static PetscErrorCode BasisChangeShift_Private(const Couplings *couplings, BasisFactor *X)
 {
-  Mat shifted;
+  Mat square, shifted;
 
   PetscFunctionBeginUser;
   if (!couplings->shift) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatMatMult(couplings->shift, X, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
-  PetscCall(MatAXPY(X, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
-  PetscCall(MatAXPY(X, 1.0, couplings->shift, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(BasisFactorCreateSquare(X, &square));
+  PetscCall(BasisFactorDestroy(X));
+  PetscCall(MatMatMult(couplings->shift, square, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &shifted));
+  PetscCall(MatAXPY(square, 1.0, shifted, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(MatAXPY(square, 1.0, couplings->shift, DIFFERENT_NONZERO_PATTERN));
+  PetscCall(BasisFactorCreate(square, NULL, X));
   PetscCall(MatDestroy(&shifted));
+  PetscCall(MatDestroy(&square));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T = 1 + X without zeros. [out] T - owned by the caller */
-static PetscErrorCode BasisChangeAddIdentity_Private(Mat X, Mat *T)
+/* Appends a row of 1 + X without zeros. [in] x - of X, or -1; [in,out] num - entries so far */
+static PetscErrorCode BasisChangeAppendRow_Private(Mat X, PetscInt x, PetscInt row, PetscInt *num, PetscInt column[],
+                                                   PetscScalar value[])
 {
-  PetscInt     begin, end, bs, num = 0, *start, *column;
-  PetscScalar *value;
-  MatInfo      info;
+  PetscScalar        own  = 1;
+  PetscInt           size = 0;
+  const PetscInt    *columns;
+  const PetscScalar *values;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetOwnershipRange(X, &begin, &end));
-  PetscCall(MatGetBlockSize(X, &bs));
-  PetscCall(MatGetInfo(X, MAT_LOCAL, &info));
-  PetscCall(PetscMalloc1(end - begin + 1, &start));
-  PetscCall(PetscMalloc2((PetscInt)info.nz_used + end - begin, &column, (PetscInt)info.nz_used + end - begin, &value));
-  start[0] = 0;
-  for (PetscInt row = begin; row < end; row++) {
-    PetscScalar        own = 1;
-    PetscInt           size;
-    const PetscInt    *columns;
-    const PetscScalar *values;
-
-    PetscCall(MatGetRow(X, row, &size, &columns, &values));
-    for (PetscInt c = 0; c < size; c++) {
-      if (columns[c] == row) {
-        own += values[c];
-      } else if (values[c] != 0) {
-        column[num]  = columns[c];
-        value[num++] = values[c];
-      }
+  if (x >= 0) PetscCall(MatGetRow(X, x, &size, &columns, &values));
+  for (PetscInt c = 0; c < size; c++) {
+    if (columns[c] == row) {
+      own += values[c];
+    } else if (values[c] != 0) {
+      column[*num]    = columns[c];
+      value[(*num)++] = values[c];
     }
-    PetscCall(MatRestoreRow(X, row, &size, &columns, &values));
-    column[num]            = row;
-    value[num++]           = own;
-    start[row - begin + 1] = num;
   }
-  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)X),
-                            &(CSRRows){bs, end - begin, end - begin, start, column, value}, T));
-  PetscCall(PetscFree(start));
-  PetscCall(PetscFree2(column, value));
+  if (x >= 0) PetscCall(MatRestoreRow(X, x, &size, &columns, &values));
+  column[*num]    = row;
+  value[(*num)++] = own;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* T = 1 + X. Collective. [in] bs - block size; [out] T - owned by the caller */
+static PetscErrorCode BasisChangeAddIdentity_Private(const BasisFactor *X, PetscInt bs, Mat *T)
+{
+  PetscInt        begin, n, x, few, at = 0, num = 0, most, *start, *column;
+  const PetscInt *rows;
+  PetscScalar    *value;
+  MatInfo         info;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetLocalSize(X->few, NULL, &n));
+  PetscCall(MatGetOwnershipRangeColumn(X->few, &begin, NULL));
+  PetscCall(MatGetOwnershipRange(X->few, &x, NULL));
+  PetscCall(MatGetInfo(X->few, MAT_LOCAL, &info));
+  most = (PetscInt)info.nz_used + n;
+  PetscCall(PetscMalloc3(n + 1, &start, most, &column, most, &value));
+  PetscCall(ISGetLocalSize(X->rows, &few));
+  PetscCall(ISGetIndices(X->rows, &rows));
+  start[0] = 0;
+  for (PetscInt i = 0; i < n; i++) {
+    const PetscBool has = (PetscBool)(at < few && rows[at] == i);
+
+    PetscCall(BasisChangeAppendRow_Private(X->few, has ? x + at : -1, begin + i, &num, column, value));
+    at += has ? 1 : 0;
+    start[i + 1] = num;
+  }
+  PetscCall(ISRestoreIndices(X->rows, &rows));
+  PetscCall(CSRMatrixCreate(PetscObjectComm((PetscObject)X->few), &(CSRRows){bs, n, n, start, column, value}, T));
+  PetscCall(PetscFree3(start, column, value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* Roundoff of F F^-1. */
 static const PetscReal ROUNDOFF = 1e-14;
 
-/* C of 1 + X = R (1 + C): F (1 + X) = 1 + C at each node.
-   [in] X - without S; [out] C - owned by the caller */
-static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, Mat X, Mat *C)
+/* Appends row i of F (1 + X) - 1 of a special node s. [in] X - rows of special nodes */
+static PetscErrorCode BasisChangeAppendC_Private(VI vi, const NodeBases *bases, Mat X, PetscInt s, PetscInt i,
+                                                 CSRRows *C)
 {
-  const PetscInt     dim = vi->level->dim, first = dim * vi->level->node_begin;
-  PetscInt          *nnz, num, n, N;
+  const PetscInt     dim = vi->level->dim, first = dim * (vi->level->node_begin + bases->node[s]);
+  const PetscReal   *F      = &bases->F[(s * dim + i) * dim];
+  PetscReal          own[3] = {0, 0, 0};
+  PetscInt           begin, size, at = C->start[C->m], num;
   const PetscInt    *columns;
   const PetscScalar *values;
 
   PetscFunctionBeginUser;
-  PetscCall(MatGetLocalSize(X, &n, NULL));
-  PetscCall(MatGetSize(X, &N, NULL));
-  PetscCall(PetscCalloc1(n, &nnz));
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    for (PetscInt k = 0, row = vi->row_dof[r] - vi->row_dof[r] % dim; k < dim; k++) {
-      PetscCall(MatGetRow(X, row + k, &num, NULL, NULL));
-      nnz[vi->row_dof[r] - first] += num;
-      PetscCall(MatRestoreRow(X, row + k, &num, NULL, NULL));
-    }
-  }
-  PetscCall(MatCreate(vi->level->comm, C));
-  PetscCall(MatSetSizes(*C, n, n, N, N));
-  PetscCall(MatSetType(*C, MATAIJ));
-  PetscCall(MatXAIJSetPreallocation(*C, 1, nnz, nnz, NULL, NULL));
-  for (PetscInt r = 0; r < vi->num_rows; r++) {
-    const PetscInt   row = vi->row_dof[r], begin = row - row % dim;
-    const PetscReal *F = &bases->F[(bases->of_node[(begin - first) / dim] * dim + row % dim) * dim];
-
-    PetscReal own[3] = {0, 0, 0};
-
-    own[row % dim] = -1;
-    for (PetscInt k = 0; k < dim; k++) {
-      own[k] += F[k];
-      PetscCall(MatGetRow(X, begin + k, &num, &columns, &values));
-      for (PetscInt c = 0; c < num; c++) {
-        if (columns[c] >= begin && columns[c] < begin + dim)
-          own[columns[c] - begin] += F[k] * PetscRealPart(values[c]);
-        else if (F[k] * values[c] != 0)
-          PetscCall(MatSetValue(*C, row, columns[c], F[k] * values[c], ADD_VALUES));
+  num = at;
+  PetscCall(MatGetOwnershipRange(X, &begin, NULL));
+  own[i] = -1;
+  for (PetscInt k = 0; k < dim; k++) {
+    own[k] += F[k];
+    PetscCall(MatGetRow(X, begin + dim * s + k, &size, &columns, &values));
+    for (PetscInt c = 0; c < size; c++) {
+      if (columns[c] >= first && columns[c] < first + dim) {
+        own[columns[c] - first] += F[k] * PetscRealPart(values[c]);
+      } else if (F[k] * values[c] != 0) {
+        C->column[num]  = columns[c];
+        C->value[num++] = F[k] * values[c];
       }
-      PetscCall(MatRestoreRow(X, begin + k, &num, &columns, &values));
     }
-    for (PetscInt k = 0; k < dim; k++)
-      if (PetscAbsReal(own[k]) > ROUNDOFF) PetscCall(MatSetValue(*C, row, begin + k, own[k], ADD_VALUES));
+    PetscCall(MatRestoreRow(X, begin + dim * s + k, &size, &columns, &values));
   }
-  PetscCall(PetscFree(nnz));
-  PetscCall(MatAssemblyBegin(*C, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*C, MAT_FINAL_ASSEMBLY));
+  for (PetscInt k = 0; k < dim; k++) {
+    if (PetscAbsReal(own[k]) <= ROUNDOFF) continue;
+    C->column[num]  = first + k;
+    C->value[num++] = own[k];
+  }
+  num -= at;
+  PetscCall(CSRMatrixMergeRow(&num, &C->column[at], &C->value[at]));
+  if (num) C->start[++C->m] = at + num;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* C of 1 + X = R (1 + C): F (1 + X) = 1 + C at each node. Collective.
+   [in] X - rows of special nodes, without S; [out] factor - to be released by BasisFactorDestroy() */
+static PetscErrorCode BasisChangeCreateC_Private(VI vi, const NodeBases *bases, Mat X, BasisFactor *factor)
+{
+  const PetscInt dim = vi->level->dim, all = dim * bases->num, first = dim * vi->level->node_begin;
+  PetscInt      *place, most;
+  PetscBool     *constrained;
+  CSRRows        C = {.bs = 1, .m = 0, .n = dim * vi->level->num_owned};
+  MatInfo        info;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetInfo(X, MAT_LOCAL, &info));
+  most = dim * (PetscInt)info.nz_used + dim * all; // a row of C has those of its node
+  PetscCall(PetscMalloc3(all + 1, &C.start, most, &C.column, most, &C.value));
+  PetscCall(PetscMalloc1(all, &place));
+  PetscCall(PetscCalloc1(all, &constrained));
+  for (PetscInt r = 0; r < vi->num_rows; r++) {
+    const PetscInt row = vi->row_dof[r] - first;
+
+    constrained[dim * bases->of_node[row / dim] + row % dim] = PETSC_TRUE;
+  }
+  C.start[0] = 0;
+  for (PetscInt i = 0; i < all; i++) {
+    const PetscInt before = C.m;
+
+    if (!constrained[i]) continue;
+    PetscCall(BasisChangeAppendC_Private(vi, bases, X, i / dim, i % dim, &C));
+    if (C.m > before) place[before] = dim * bases->node[i / dim] + i % dim;
+  }
+  PetscCall(CSRMatrixCreate(vi->level->comm, &C, &factor->few));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, C.m, place, PETSC_COPY_VALUES, &factor->rows));
+  PetscCall(PetscFree(constrained));
+  PetscCall(PetscFree(place));
+  PetscCall(PetscFree3(C.start, C.column, C.value));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode BasisChangeCreate(VI vi, const NodeBases *bases, const Couplings *couplings, BasisChange *change)
 {
-  Mat       E, C, X, local;
-  PetscBool chained;
-  PetscInt  special = bases->num;
+  BasisFactor E, X, local;
+  PetscBool   chained;
+  PetscInt    special = bases->num;
 
   PetscFunctionBeginUser;
   PetscCall(PetscArrayzero(change, 1));
@@ -447,19 +357,17 @@ PetscErrorCode BasisChangeCreate(VI vi, const NodeBases *bases, const Couplings 
   PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, (PetscBool)!chained, &X));
   if (chained) {
     PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_FALSE, PETSC_TRUE, &E));
-    PetscCall(BasisChangeAddPowers_Private(vi, E, X));
-    PetscCall(MatDestroy(&E));
+    PetscCall(BasisChangeAddPowers_Private(vi, &E, X.few));
+    PetscCall(BasisFactorDestroy(&E));
   }
-  PetscCall(BasisChangeCreateC_Private(vi, bases, X, &C));
-  PetscCall(BasisFactorCreate(C, &change->factor[1]));
-  PetscCall(MatDestroy(&C));
-  PetscCall(BasisChangeShift_Private(couplings, X));
-  PetscCall(BasisChangeAddIdentity_Private(X, &change->T));
-  PetscCall(MatDestroy(&X));
+  PetscCall(BasisChangeCreateC_Private(vi, bases, X.few, &change->factor[1]));
+  PetscCall(BasisChangeShift_Private(couplings, &X));
+  PetscCall(BasisChangeAddIdentity_Private(&X, vi->level->dim, &change->T));
+  PetscCall(BasisFactorDestroy(&X));
   PetscCall(BasisChangeCreateSum_Private(vi, bases, couplings, PETSC_TRUE, PETSC_FALSE, &local));
-  PetscCall(BasisChangeShift_Private(couplings, local));
-  PetscCall(BasisFactorCreate(local, &change->factor[0]));
-  PetscCall(MatDestroy(&local));
+  PetscCall(BasisChangeShift_Private(couplings, &local));
+  PetscCall(BasisFactorCreate(local.few, local.rows, &change->factor[0]));
+  PetscCall(BasisFactorDestroy(&local));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

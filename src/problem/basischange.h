@@ -4,20 +4,7 @@
 
 #include "problem/basisfactor.h"
 #include "problem/couplings.h"
-
-/* Nodes whose unknowns are not the Cartesian displacements: those with multipliers or a held direction that
-   is not an axis. Row r of F takes u~ to the node's r-th unknown before the mortar side is subtracted: v = F
-   u~. */
-typedef struct {
-  PetscInt   num;
-  PetscInt  *node;     /* local, owned, ascending [num] */
-  PetscReal *F, *Finv; /* [num][dim][dim] */
-  PetscInt  *of_node;  /* position in the list of every owned node, -1 for ordinary ones [num_owned] */
-} NodeBases;
-
-/* Collects bases and numbers the rows of B (vi->row_*). Not collective but for the level's sizes. */
-PetscErrorCode NodeBasesCreate(VI vi, NodeBases *bases);
-PetscErrorCode NodeBasesDestroy(NodeBases *bases);
+#include "problem/nodebases.h"
 
 enum { BASIS_FACTORS = 2 };
 /* T = (1 + E_0)(1 + E_1) = S R (1 + C). E_0 couples the unknowns of a node, and middle nodes with the ends of

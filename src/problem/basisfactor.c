@@ -4,33 +4,28 @@
 #include "base/csrmatrix.h"
 #include "multigrid/fewrows.h"
 
-/* The rows of this rank that are not empty. [out] rows - owned by the caller [num] */
-static PetscErrorCode BasisFactorListRows_Private(Mat E, PetscInt *num, PetscInt **rows)
+PetscErrorCode BasisFactorCreate(Mat E, IS places, BasisFactor *factor)
 {
-  PetscInt begin, end, size;
+  PetscInt       *rows, *at, num = 0, begin, end, size;
+  const PetscInt *place = NULL;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetOwnershipRange(E, &begin, &end));
-  PetscCall(PetscMalloc1(end - begin, rows));
-  *num = 0;
+  PetscCall(PetscMalloc1(end - begin, &rows));
+  PetscCall(PetscMalloc1(end - begin, &at));
+  if (places) PetscCall(ISGetIndices(places, &place));
   for (PetscInt row = begin; row < end; row++) {
     PetscCall(MatGetRow(E, row, &size, NULL, NULL));
-    if (size) (*rows)[(*num)++] = row;
-    PetscCall(MatRestoreRow(E, row, &size, NULL, NULL));
+    PetscCall(MatRestoreRow(E, row, NULL, NULL, NULL));
+    if (!size) continue;
+    rows[num] = row;
+    at[num++] = place ? place[row - begin] : row - begin;
   }
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
-PetscErrorCode BasisFactorCreate(Mat E, BasisFactor *factor)
-{
-  PetscInt *rows, num, begin;
-
-  PetscFunctionBeginUser;
-  PetscCall(BasisFactorListRows_Private(E, &num, &rows));
+  if (places) PetscCall(ISRestoreIndices(places, &place));
   PetscCall(FewRowsCreate(1, &(RowList){.from = E, .num = num, .row = rows}, &factor->few));
-  PetscCall(MatGetOwnershipRange(E, &begin, NULL));
-  for (PetscInt i = 0; i < num; i++) rows[i] -= begin;
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, rows, PETSC_OWN_POINTER, &factor->rows));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, at, PETSC_COPY_VALUES, &factor->rows));
+  PetscCall(PetscFree(at));
+  PetscCall(PetscFree(rows));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -9,8 +9,11 @@ typedef struct {
   IS  rows; /* their numbers, counted from this rank's first; of this process alone */
 } BasisFactor;
 
-/* Collective. [in] E - AIJ; [out] factor - to be released by BasisFactorDestroy() */
-PetscErrorCode BasisFactorCreate(Mat E, BasisFactor *factor);
+/* Collective.
+   [in] E - AIJ, whose empty rows are left out;
+   [in] places - numbers of its rows, counted from this rank's first, ascending; NULL: E has all rows;
+   [out] factor - to be released by BasisFactorDestroy() */
+PetscErrorCode BasisFactorCreate(Mat E, IS places, BasisFactor *factor);
 /* E with all rows. Collective. [out] E - AIJ, owned by the caller */
 PetscErrorCode BasisFactorCreateSquare(const BasisFactor *factor, Mat *E);
 /* Collective. */

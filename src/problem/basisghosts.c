@@ -30,9 +30,9 @@ struct _n_BasisGhosts {
   VecScatter   backward;
 };
 
-/* Appends the rows of a matrix that are not empty.
-   [in] first - number of its first row on this rank; [in] place - of each row, or NULL for n + i [num] */
-static PetscErrorCode FactorRowsAdd_Private(Mat E, PetscInt first, PetscInt num, PetscInt n, const PetscInt place[],
+/* Appends rows of a matrix.
+   [in] first - number of the first one on this rank; [in] place - of each row [num] */
+static PetscErrorCode FactorRowsAdd_Private(Mat E, PetscInt first, PetscInt num, const PetscInt place[],
                                             FactorRows *rows)
 {
   PetscFunctionBeginUser;
@@ -45,29 +45,72 @@ static PetscErrorCode FactorRowsAdd_Private(Mat E, PetscInt first, PetscInt num,
     PetscCall(MatGetRow(E, first + i, &size, &columns, &values));
     PetscCall(PetscArraycpy(&rows->column[at], columns, size));
     PetscCall(PetscArraycpy(&rows->value[at], values, size));
-    if (size) rows->row[rows->num++] = place ? place[i] : n + i;
+    rows->row[rows->num++] = place[i];
     rows->start[rows->num] = at + size;
     PetscCall(MatRestoreRow(E, first + i, &size, &columns, &values));
   }
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Rows of E at ghosts, which others own. [out] there - with all columns, owned by the caller */
-static PetscErrorCode FactorRowsFetch_Private(const BasisFactor *factor, PetscInt num, const PetscInt ghost[],
-                                              PetscInt N, Mat **there)
+/* The ghosts at which E has rows. Collective.
+   [out] rows, places - of these rows in factor->few, and of the ghosts; owned by the caller [num] */
+static PetscErrorCode FactorRowsList_Private(const BasisGhosts g, const BasisFactor *factor, PetscInt *num,
+                                             PetscInt **rows, PetscInt **places)
 {
-  IS  rows, columns;
-  Mat E;
+  PetscInt           begin, few;
+  const PetscInt    *row;
+  PetscScalar       *a;
+  const PetscScalar *b;
+  Vec                numbers, there;
+  IS                 ghosts;
+  VecScatter         scatter;
 
   PetscFunctionBeginUser;
-  PetscCall(BasisFactorCreateSquare(factor, &E));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, ghost, PETSC_USE_POINTER, &rows));
+  PetscCall(MatCreateVecs(factor->few, &numbers, NULL));
+  PetscCall(MatGetOwnershipRange(factor->few, &begin, NULL));
+  PetscCall(ISGetLocalSize(factor->rows, &few));
+  PetscCall(ISGetIndices(factor->rows, &row));
+  PetscCall(VecGetArray(numbers, &a));
+  for (PetscInt i = 0; i < few; i++) a[row[i]] = (PetscScalar)(begin + i + 1); // 0: no row
+  PetscCall(VecRestoreArray(numbers, &a));
+  PetscCall(ISRestoreIndices(factor->rows, &row));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, g->num, &there));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, g->num, g->ghost, PETSC_USE_POINTER, &ghosts));
+  PetscCall(VecScatterCreate(numbers, ghosts, there, NULL, &scatter));
+  PetscCall(VecScatterBegin(scatter, numbers, there, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, numbers, there, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(PetscMalloc1(g->num, rows));
+  PetscCall(PetscMalloc1(g->num, places));
+  *num = 0;
+  PetscCall(VecGetArrayRead(there, &b));
+  for (PetscInt i = 0; i < g->num; i++) {
+    if (b[i] == 0) continue;
+    (*rows)[*num]       = (PetscInt)PetscRealPart(b[i]) - 1;
+    (*places)[(*num)++] = g->n + i;
+  }
+  PetscCall(VecRestoreArrayRead(there, &b));
+  PetscCall(VecScatterDestroy(&scatter));
+  PetscCall(ISDestroy(&ghosts));
+  PetscCall(VecDestroy(&there));
+  PetscCall(VecDestroy(&numbers));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Rows of E of other ranks. Collective.
+   [in] rows - in few [num]; [out] there - with all columns, owned by the caller */
+static PetscErrorCode FactorRowsFetch_Private(Mat few, PetscInt num, const PetscInt rows[], Mat **there)
+{
+  PetscInt N;
+  IS       some, columns;
+
+  PetscFunctionBeginUser;
+  PetscCall(MatGetSize(few, NULL, &N));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, rows, PETSC_USE_POINTER, &some));
   PetscCall(ISCreateStride(PETSC_COMM_SELF, N, 0, 1, &columns));
   PetscCall(ISSetIdentity(columns));
-  PetscCall(MatCreateSubMatrices(E, 1, &rows, &columns, MAT_INITIAL_MATRIX, there));
-  PetscCall(ISDestroy(&rows));
+  PetscCall(MatCreateSubMatrices(few, 1, &some, &columns, MAT_INITIAL_MATRIX, there));
+  PetscCall(ISDestroy(&some));
   PetscCall(ISDestroy(&columns));
-  PetscCall(MatDestroy(&E));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -75,7 +118,7 @@ static PetscErrorCode FactorRowsFetch_Private(const BasisFactor *factor, PetscIn
 static PetscErrorCode FactorRowsCreate_Private(const BasisGhosts g, PetscBool others, const BasisFactor *factor,
                                                FactorRows *rows)
 {
-  PetscInt        num, all, begin;
+  PetscInt        num, all, begin, met = 0, *list = NULL, *places = NULL;
   const PetscInt *place;
   Mat            *there = NULL;
   MatInfo         info;
@@ -85,19 +128,24 @@ static PetscErrorCode FactorRowsCreate_Private(const BasisGhosts g, PetscBool ot
   PetscCall(MatGetInfo(factor->few, MAT_LOCAL, &info));
   entries = (size_t)info.nz_used;
   PetscCall(MatGetSize(factor->few, &all, NULL));
-  if (others && all) PetscCall(FactorRowsFetch_Private(factor, g->num, g->ghost, g->N, &there));
-  if (there) PetscCall(MatGetInfo(there[0], MAT_LOCAL, &info));
-  if (there) entries += (size_t)info.nz_used;
+  if (others && all) {
+    PetscCall(FactorRowsList_Private(g, factor, &met, &list, &places));
+    PetscCall(FactorRowsFetch_Private(factor->few, met, list, &there));
+    PetscCall(MatGetInfo(there[0], MAT_LOCAL, &info));
+    entries += (size_t)info.nz_used;
+  }
   PetscCall(ISGetLocalSize(factor->rows, &num));
-  PetscCall(PetscMalloc3(num + g->num, &rows->row, num + g->num + 1, &rows->start, num + g->num, &rows->change));
+  PetscCall(PetscMalloc3(num + met, &rows->row, num + met + 1, &rows->start, num + met, &rows->change));
   PetscCall(PetscMalloc2(entries, &rows->column, entries, &rows->value));
   rows->start[0] = 0;
   PetscCall(MatGetOwnershipRange(factor->few, &begin, NULL));
   PetscCall(ISGetIndices(factor->rows, &place));
-  PetscCall(FactorRowsAdd_Private(factor->few, begin, num, 0, place, rows));
+  PetscCall(FactorRowsAdd_Private(factor->few, begin, num, place, rows));
   PetscCall(ISRestoreIndices(factor->rows, &place));
-  if (there) PetscCall(FactorRowsAdd_Private(there[0], 0, g->num, g->n, NULL, rows));
+  if (there) PetscCall(FactorRowsAdd_Private(there[0], 0, met, places, rows));
   if (there) PetscCall(MatDestroySubMatrices(1, &there));
+  PetscCall(PetscFree(list));
+  PetscCall(PetscFree(places));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -70,7 +70,7 @@ PetscErrorCode PairArmsAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscIn
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, Mat E)
+PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, PetscInt row, Mat E)
 {
   const Pair     pair = vi->pairs[vi->row_pair[r]];
   const PetscInt dim = vi->level->dim, k = vi->row_node[r], i = vi->row_dof[r] % dim,
@@ -82,6 +82,6 @@ PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r
   if (!arm) PetscFunctionReturn(PETSC_SUCCESS);
   for (PetscInt l = 0; l < dim; l++)
     for (PetscInt j = 0; j < dim; j++) weight[l * dim + j] = Finv[l * dim + i] * F[i * dim + j] / pair->D[k];
-  PetscCall(PairArmsAddRows_Private(dim, arm, node, dim, weight, dim * node, E));
+  PetscCall(PairArmsAddRows_Private(dim, arm, node, dim, weight, row, E));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

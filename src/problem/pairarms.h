@@ -11,7 +11,8 @@ PetscErrorCode PairArmsMark(Mat arm, PetscInt dim, PetscInt node, Vec marks);
 PetscErrorCode PairArmsCount(Mat arm, PetscInt dim, PetscInt node, PetscInt *num);
 /* Adds -F_i arm to row r of B, in the user's units. Not collective. [in] row - the same, global */
 PetscErrorCode PairArmsAddToB(VI vi, const NodeBases *bases, PetscInt r, PetscInt row);
-/* Adds (1/D) F^-1_(.,i) (x) F_i arm for row r to E. Not collective. [in] arm - of the changed basis */
-PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, Mat E);
+/* Adds (1/D) F^-1_(.,i) (x) F_i arm for row r to E. Not collective.
+   [in] arm - of the changed basis; [in] row - the first row of the node in E */
+PetscErrorCode PairArmsAddToE(VI vi, const NodeBases *bases, Mat arm, PetscInt r, PetscInt row, Mat E);
 
 #endif
