@@ -33,6 +33,11 @@ static const PetscReal STOPPED_TOLERANCE = 5e-2;
    have no forces, leave 0.4 to 3.2 units of roundoff. */
 static const PetscReal NODE_ROUNDING = 4 * PETSC_MACHINE_EPSILON;
 
+/* Three forces of a node count, each with this bound of roundoff or more: arms of ties had 1.4 of it. */
+static const PetscReal REST = 16;
+/* A motion by this many lengths of a body: beyond, roundoff is a strain of 1e-9. */
+static const PetscReal LONG_MOTION = 1e6;
+
 /* What is summed over nodes and rows of all ranks. */
 enum {
   SUM_FREE, /* squares of forces over stiffness: residual, loads, inner, contact, roundoff */
@@ -286,14 +291,43 @@ static PetscErrorCode CertificateSumRows_Private(Fields fields, PetscReal limit,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The roundoff of the nodal forces over their size; 0 where no loads act and the forces are roundoff alone.
-   [in] size - of the nodal forces */
-static PetscReal CertificateRounding_Private(const PetscReal sums[], PetscReal size)
+/* The size of the nodal forces. */
+static PetscReal CertificateForceSize_Private(const PetscReal sums[])
+{
+  return PetscSqrtReal(sums[SUM_LOADS]) + PetscSqrtReal(sums[SUM_INNER]) + PetscSqrtReal(sums[SUM_CONTACT]);
+}
+
+/* Whether no loads act and all forces are roundoff: bodies rest after a rigid motion. Of a motion much longer
+   than the body this is not known: roundoff then hides strains that count. Collective. */
+static PetscErrorCode CertificateIsAtRest_Private(Fields fields, const PetscReal sums[], PetscBool *rest)
+{
+  const Level *level = fields->vi->level;
+  PetscReal    lower[3], upper[3];
+
+  PetscFunctionBeginUser;
+  *rest = (PetscBool)(sums[SUM_LOADS] == 0.0 &&
+                      CertificateForceSize_Private(sums) <= REST * PetscSqrtReal(sums[SUM_ROUNDOFF]));
+  for (PetscInt b = 0; *rest && b < fields->vi->scene->num_bodies; b++) {
+    PetscReal length = 0;
+
+    PetscCall(LevelGetBox(level, b, lower, upper));
+    for (PetscInt k = 0; k < level->dim; k++) length = PetscMax(length, upper[k] - lower[k]);
+    if (fields->body_max[b] > LONG_MOTION * length) *rest = PETSC_FALSE;
+  }
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The roundoff of the nodal forces over their size; 0 at rest. Collective. */
+static PetscErrorCode CertificateSetRounding_Private(Fields fields, const PetscReal sums[], Certificate *c)
 {
   const PetscReal roundoff = PetscSqrtReal(sums[SUM_ROUNDOFF]);
+  PetscBool       rest;
 
-  if (roundoff == 0.0 || (sums[SUM_LOADS] == 0.0 && size <= roundoff)) return 0.0;
-  return NODE_ROUNDING / FIELDS_ROUNDOFF * roundoff / size;
+  PetscFunctionBeginUser;
+  PetscCall(CertificateIsAtRest_Private(fields, sums, &rest));
+  c->rounding =
+      rest || roundoff == 0.0 ? 0 : NODE_ROUNDING / FIELDS_ROUNDOFF * roundoff / CertificateForceSize_Private(sums);
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* The displacement that gaps are compared with: work of the forces over their sum. So a rigid motion does not
@@ -309,13 +343,10 @@ static void CertificateSetRatios_Private(Fields fields, const PetscReal sums[], 
                                          Certificate *c)
 {
   const PetscReal limit = c->limit;
-  const PetscReal size =
-      PetscSqrtReal(sums[SUM_LOADS]) + PetscSqrtReal(sums[SUM_INNER]) + PetscSqrtReal(sums[SUM_CONTACT]);
-  PetscReal rest[3];
+  PetscReal       rest[3];
 
-  c->rounding = CertificateRounding_Private(sums, size);
-  c->equilibrium =
-      CertificateRatio_Private(PetscSqrtReal(sums[SUM_FREE]), size, PetscSqrtReal(sums[SUM_ROUNDOFF]), limit);
+  c->equilibrium     = CertificateRatio_Private(PetscSqrtReal(sums[SUM_FREE]), CertificateForceSize_Private(sums),
+                                                PetscSqrtReal(sums[SUM_ROUNDOFF]), limit);
   c->gap             = CertificateRatio_Private(largest[MAX_GAP], CertificateStretch_Private(fields, sums),
                                                 FIELDS_ROUNDOFF * fields->u_ref, limit);
   c->pressure        = largest[MAX_PRESSURE];
@@ -411,6 +442,7 @@ PetscErrorCode CertificateCompute(Fields fields, Certificate *certificate, Vec *
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, SUM_COUNT, MPIU_REAL, MPI_SUM, comm));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, largest, MAX_COUNT, MPIU_REAL, MPI_MAX, comm));
   CertificateSetRatios_Private(fields, sums, largest, certificate);
+  PetscCall(CertificateSetRounding_Private(fields, sums, certificate));
   PetscCall(FrictionResidualCompute(fields, limit, &certificate->friction));
   PetscCall(CertificateDecide_Private(stopped, certificate));
   PetscFunctionReturn(PETSC_SUCCESS);
