@@ -11,7 +11,7 @@ static const struct {
   const char *name, *what;
   PetscReal   green, red;
 } KINDS[VALIDITY_COUNT] = {
-    {"strain", "neglected share of the strain", 0.01, 0.05},
+    {"strain", "neglected share of the strain", VALIDITY_GREEN_STRAIN, 0.05},
     {"rotation", "rotation", 0.02, 0.1},
     {"gap", "error of the gap", VALIDITY_GREEN_GAP, 0.05},
     {"slip_cell", "slip over facet", 0.5, 2},

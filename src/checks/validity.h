@@ -10,7 +10,7 @@
 #include "result/fields.h"
 
 typedef enum {
-  VALIDITY_STRAIN,       /* |1/2 grad u' grad u| / |eps|, quantiles: the part of Green's strain that is left out */
+  VALIDITY_STRAIN, /* |1/2 grad u' grad u| / |eps|, quantiles: the part of Green's strain that is left out (yielding.h) */
   VALIDITY_ROTATION,     /* rotation, a quantile, radians */
   VALIDITY_GAP,          /* largest |deformed gap - linearized gap| over the largest displacement or gap of the pair */
   VALIDITY_SLIP_CELL,    /* largest slip in contact over the shortest facet edge there, or 20 times the next */

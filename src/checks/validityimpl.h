@@ -5,8 +5,8 @@
 #include "result/largest.h"
 #include "checks/validity.h"
 
-/* Errors of gaps below this part of their scale are green. */
-static const PetscReal VALIDITY_GREEN_GAP = 0.01;
+/* Errors of gaps below this part of their scale, and of strains, are green. */
+static const PetscReal VALIDITY_GREEN_GAP = 0.01, VALIDITY_GREEN_STRAIN = 0.01;
 
 /* Measures strains and rotations: VALIDITY_STRAIN and VALIDITY_ROTATION, of all ranks. Collective.
    [in,out] largest - by kind; [out] strain - Frobenius norm, exceeded on a small share of the energy */

@@ -126,15 +126,29 @@ static PetscErrorCode PairStateMeasureAt_Private(Fields fields, const Pair pair,
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Errors of the gap of nodes that touch, or were near enough to begin with. A node that has slid off its
+/* Whether some node that counts for gaps has facets that the partner covers wholly. Collective. */
+static PetscErrorCode PairStateFindWhole_Private(const Pair pair, const PairState *state, PetscBool *whole)
+{
+  PetscFunctionBeginUser;
+  *whole = PETSC_FALSE;
+  for (PetscInt a = 0; a < pair->num && !*whole; a++)
+    *whole = (PetscBool)(!pair->partly_covered[a] && PetscAbsReal(pair->gap[a]) <= state->scale);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, whole, 1, MPIU_BOOL, MPI_LOR, pair->level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Errors of the gap of nodes that touch, or were near enough to begin with. Where the partner ends within a
+   facet, the mean gap is one over another part of it afterwards, which is no error of the gap: such nodes are
+   omitted if there are others. A node that has slid off its
    partner is measured on the way: errors grow with the square of the displacement. What is off by as much as
    the way itself is no such error. At the rim of a partner another part of a facet is met. Collective. */
 static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pair, PairState *state)
 {
   PetscReal share = 1, *error;
-  PetscBool away  = PETSC_TRUE;
+  PetscBool away  = PETSC_TRUE, whole;
 
   PetscFunctionBeginUser;
+  PetscCall(PairStateFindWhole_Private(pair, state, &whole));
   PetscCall(PetscMalloc1(pair->num, &error));
   for (PetscInt a = 0; a < pair->num; a++) state->error[a] = NAN;
   for (PetscInt half = 0; half <= MAX_HALVES && away; half++, share /= 2) {
@@ -142,6 +156,7 @@ static PetscErrorCode PairStateMeasureGaps_Private(Fields fields, const Pair pai
     away = PETSC_FALSE;
     for (PetscInt a = 0; a < pair->num; a++) {
       if (pair->spec->obstacle.kind == OBSTACLE_EXPRESSION) continue; // a gap that is given, not measured
+      if (whole && pair->partly_covered[a]) continue;
       if (!PetscIsNanReal(state->error[a]) || PetscAbsReal(pair->gap[a]) > state->scale) continue;
       if (PetscIsNanReal(error[a])) away = PETSC_TRUE;
       state->error[a] = error[a] / PetscSqr(share);

@@ -215,6 +215,54 @@ PetscErrorCode EigenstrainAddLoads(Scene scene, Level *level, PetscScalar fa[])
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* -1/2 H'H at point q, by which Green's strain is more than that of a displacement. [in] u - local form */
+static void EigenstrainSetNeglected_Private(Scene scene, Cell *cell, PetscInt q, const PetscScalar u[])
+{
+  const PetscInt   dim  = cell->dim;
+  const PetscReal *grad = &cell->grad[q * cell->n];
+  PetscReal        H[9] = {0}, all[MAX_STRAINS] = {0}, around = 0;
+
+  for (PetscInt i = 0; i < cell->nn; i++) {
+    const PetscScalar *v = &u[cell->nodes[i] * dim];
+
+    for (PetscInt k = 0; k < dim; k++)
+      for (PetscInt j = 0; j < dim; j++) H[3 * k + j] += PetscRealPart(v[k]) * grad[i * dim + j];
+    if (scene->model == MODEL_AXISYMMETRIC)
+      around += PetscRealPart(v[0]) * cell->rule->phi[q * cell->nn + i] / cell->x[q * dim];
+  }
+  H[8] += around;
+  for (PetscInt k = 0; k < 3; k++) {
+    for (PetscInt s = 0; s < 3; s++) {
+      all[s] -= 0.5 * PetscSqr(H[3 * k + s]);
+      all[3 + s] -= H[3 * k + (s + 1) % 3] * H[3 * k + (s + 2) % 3];
+    }
+  }
+  cell->e[q] = (Eigenstrain){.across = 0};
+  MaterialPickStrains(scene->model, all, cell->e[q].strain);
+}
+
+PetscErrorCode EigenstrainAddNeglected(Scene scene, Level *level, Vec u, PetscScalar fa[])
+{
+  ElementRule       *rules;
+  Cell              *cell;
+  const PetscScalar *ua;
+
+  PetscFunctionBeginUser;
+  PetscCall(ElasticityRulesCreate(scene, &rules));
+  PetscCall(PetscNew(&cell));
+  PetscCall(GhostedGetArrayRead(u, &ua));
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    PetscCall(EigenstrainSetCell_Private(scene, level, c, &rules[level->cell_type[c]], cell));
+    for (PetscInt q = 0; q < cell->num; q++) EigenstrainSetNeglected_Private(scene, cell, q, ua);
+    EigenstrainSetParts_Private(cell, cell->parts);
+    EigenstrainAddCell_Private(scene, cell, fa);
+  }
+  PetscCall(GhostedRestoreArrayRead(u, &ua));
+  PetscCall(PetscFree(cell));
+  PetscCall(PetscFree(rules));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode EigenstrainCheck(Scene scene, Level *level)
 {
   PetscFunctionBeginUser;

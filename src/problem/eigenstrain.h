@@ -26,6 +26,10 @@ PetscErrorCode EigenstrainDilatation(Scene scene, const Level *level, PetscInt c
 /* f += int B' C eps_0 over the cells of this rank, with the rule of the stiffness. If eps_0 is the strain of
    a discrete displacement, f is K times that displacement. Not collective. [in,out] fa - [num_nodes][dim] */
 PetscErrorCode EigenstrainAddLoads(Scene scene, Level *level, PetscScalar fa[]);
+/* The same for eps_0 = -1/2 H'H with H = grad u: by these loads bodies yield to the neglected part of Green's
+   strain (eq. 11.5a). In plane strain nothing is neglected along z. Not collective.
+   [in] u - ghosted; [in,out] fa - [num_nodes][dim] */
+PetscErrorCode EigenstrainAddNeglected(Scene scene, Level *level, Vec u, PetscScalar fa[]);
 /* Raises a user error where a datum was not finite. Collective. */
 PetscErrorCode EigenstrainCheck(Scene scene, Level *level);
 

@@ -37,6 +37,9 @@ struct _n_Fields {
   PetscReal *body_max; /* max |u| of each body and those it is paired with, the same on all ranks [scene->num_bodies] */
   PetscReal  u_ref;    /* size of the displacements and gaps, the same on all ranks */
   PetscReal  p_ref;    /* size of the pressures, the same on all ranks */
+  Solver     solver;   /* borrowed: of y, for linear problems with its active set; NULL where none is known */
+  const SolverReport   *report;      /* borrowed, with solver */
+  Vec                   y;           /* borrowed, with solver */
   struct _n_Validity   *validity;    /* NULL until ValidityWarn() or ValidityAdd() */
   struct _n_Estimate   *estimate;    /* NULL until EstimateGet() */
   struct _n_SideErrors *side_errors; /* of each pair; NULL until SideErrorsGet() */

@@ -59,6 +59,9 @@ static PetscErrorCode RunSolve_Private(Run run, Vec guess, PetscBool *again)
 
   PetscCall(LogStageBegin(STAGE_OUTPUT));
   PetscCall(FieldsCreate(run->vi, run->solvability, run->y, &run->fields));
+  run->fields->solver = run->solver;
+  run->fields->report = &run->report;
+  run->fields->y      = run->y;
   PetscCall(CertificateCompute(run->fields, &run->certificate, &run->reactions));
   PetscCall(LogStageEnd(STAGE_OUTPUT));
   if (run->certificate.holds) PetscCall(ReachCheckRun(run, again));
