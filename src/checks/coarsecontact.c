@@ -23,7 +23,9 @@ static const PetscReal FEW = 3.25;
    / (12 a^2) below the maximum of Hertz's ellipse: 0.1 % with eight facets. The half width is known to h / 2:
    then the largest pressure of a given force is right to 6 %. */
 static const PetscReal ADVISED = 8;
-/* Directions nearer than 45 degrees to the narrow axis of a patch are across it. */
+/* Directions nearer than 45 degrees to the narrow axis of a patch are across it. In space an end is at a
+   plane of symmetry where a support fixes a direction across the boundary of the side. A patch in the corner
+   of two planes has its axes between them. Supports across the side leave no multiplier. */
 static const PetscReal ACROSS = 0.70710678118654752;
 /* The mortar side is larger if it is so by more than this part of a facet. Curved sides that end together
    differ by less. */
@@ -76,7 +78,7 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
   const PetscInt   dim    = support->dim;
   const PetscReal *narrow = patch->axis[dim - 2];
   PetscReal        length = 0, along = 0;
-  PetscBool        mirrored = PETSC_FALSE;
+  PetscBool        mirrored = (PetscBool)(dim == 3 && support->count[node] > 1); // a corner of two such planes
 
   for (PetscInt k = 0; k < dim; k++) {
     length += PetscSqr(PetscRealPart(way[k]));
@@ -86,9 +88,12 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
   if (!SideCornersIsEnd(dim, way, patch->facet_size)) return;
   if (dim == 3 && PetscAbsReal(along) > ACROSS * length) return; // the side goes on across the patch
   for (PetscInt j = 0; j < support->count[node]; j++) {
-    const PetscReal *d = &support->directions[(node * dim + j) * dim];
+    const PetscReal *d    = &support->directions[(node * dim + j) * dim];
+    PetscReal        part = 0; // of the boundary's direction
 
-    mirrored = (PetscBool)(mirrored || PetscAbsReal(VectorDot(dim, d, narrow)) > ACROSS);
+    for (PetscInt k = 0; k < dim; k++) part += PetscRealPart(way[k]) * d[k];
+    mirrored = (PetscBool)(mirrored || (dim == 3 ? PetscAbsReal(part) < ACROSS * length
+                                                 : PetscAbsReal(VectorDot(dim, d, narrow)) > ACROSS));
   }
   ends[mirrored ? IS_MIRRORED : IS_EDGE] = 1;
   if (!mirrored) ends[ANGLE] = PetscMax(ends[ANGLE], angle);
