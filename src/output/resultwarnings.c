@@ -381,7 +381,7 @@ static PetscErrorCode SummaryWarnNotUnique_Private(const SummaryInput *in)
   const PetscBool       others   = (PetscBool)(friction->others && !in->vi->rigid_modes.num);
 
   PetscFunctionBeginUser;
-  if (!in->vi->friction || !in->report->converged || friction->rho < 1) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!in->vi->friction || !in->report->converged || (friction->rho < 1 && !others)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(
       &(Warning){.code = "not_unique", .advice = "compare with smaller load steps, and with a smaller coefficient"},
       "with this friction the solution %s: rho is %.3g, and below 1 there is no other one near it",

@@ -29,7 +29,8 @@ typedef struct {
   PetscInt  slipping, sticking; /* nodes */
   PetscReal rho;                /* spectral radius of G -> coefficient r_n(G) at slipping nodes (eq. 16.6) */
   PetscReal rho_error;          /* of its iteration, to first order */
-  PetscBool others;    /* an odd number of its eigenvalues are real and above 1: held bodies have other solutions */
+  PetscBool others;    /* held bodies have other solutions: an odd number of its eigenvalues are real and above 1, or
+                          the state without contact is one (dense systems alone tell) */
   PetscInt  shortened; /* Newton steps that were shortened */
   PetscBool coarser;   /* rho is that of the coarser mesh */
   PetscReal coupling, turning; /* of friction with itself by pressures (eq. 16.8d); PETSC_MAX_REAL: no bound */

@@ -140,6 +140,9 @@ PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
+/* Whether the state without contact satisfies the law, too, with all gaps open. Without bounds of friction
+   alone. Replaces the factors. [out] opens */
+PetscErrorCode FrictionProblemOpens(FrictionProblem *problem, PetscBool *opens);
 /* Sweeps over the units, unless the last steps did not descend. Each unit satisfies its law, with the others
    as they are. */
 PetscErrorCode FrictionProblemSweep(FrictionProblem *problem);

@@ -242,6 +242,7 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, NULL, 0, PETSC_MAX_REAL, report));
     report->coarser = PETSC_FALSE;
     if (pdas->coupling_needed) PetscCall(FrictionCoupling(&t->problem, report));
+    if (closed && !report->others) PetscCall(FrictionProblemOpens(&t->problem, &report->others));
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));
   for (PetscInt i = 0; i < pdas->set.n; i++) pdas->set.active[i] = (PetscBool)(own[i] > 0);
