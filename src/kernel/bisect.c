@@ -27,6 +27,7 @@ typedef struct {
   EdgeTable  middles;
   PetscInt   room;
   PetscBool *touched; /* whether an edge of the vertex was cut [room] */
+  PetscInt  *goal;    /* generation asked for in the cells of a vertex, of graded marks [room] */
 } Cuts;
 
 PetscErrorCode BisectionGrow(Bisection *mesh)
@@ -64,6 +65,11 @@ PetscErrorCode BisectionGetMiddle(Bisection *mesh, EdgeTable *middles, PetscInt 
 PetscReal *BisectionGetPlace(const Bisection *mesh, PetscInt cell, PetscInt vertex)
 {
   return &mesh->place[(cell * mesh->corners + vertex) * mesh->corners];
+}
+
+PetscInt BisectionGetHalvings(PetscInt mark)
+{
+  return mark < 0 ? PetscMax(-mark, -2 * mark - 2) : mark;
 }
 
 PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell)
@@ -156,10 +162,12 @@ static PetscErrorCode BisectionCut_Private(Bisection *mesh, Cuts *cuts, PetscInt
   if (mesh->room_vertices > cuts->room) {
     PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*cuts->touched), &cuts->touched));
     PetscCall(PetscArrayzero(&cuts->touched[cuts->room], mesh->room_vertices - cuts->room));
+    PetscCall(PetscRealloc(mesh->room_vertices * sizeof(*cuts->goal), &cuts->goal));
     cuts->room = mesh->room_vertices;
   }
   for (PetscInt i = 0; i < 2; i++) cuts->touched[mesh->vertex[cell][i]] = PETSC_TRUE;
   PetscCall(BisectionGetMiddle(mesh, &cuts->middles, mesh->vertex[cell][0], mesh->vertex[cell][1], &middle));
+  cuts->goal[middle] = PetscMin(cuts->goal[mesh->vertex[cell][0]], cuts->goal[mesh->vertex[cell][1]]);
   BisectionSetChild_Private(mesh, cell, 1, middle, mesh->num_cells++);
   BisectionSetChild_Private(mesh, cell, 0, middle, cell);
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -169,6 +177,9 @@ static PetscErrorCode BisectionCut_Private(Bisection *mesh, Cuts *cuts, PetscInt
 static PetscBool BisectionMustCut_Private(const Bisection *mesh, const Cuts *cuts, PetscInt cell)
 {
   if (mesh->generation[cell] < mesh->goal[cell]) return PETSC_TRUE;
+  for (PetscInt i = 0; i <= mesh->dim; i++) {
+    if (mesh->generation[cell] < cuts->goal[mesh->vertex[cell][i]]) return PETSC_TRUE;
+  }
   for (PetscInt i = 0; i <= mesh->dim; i++) {
     const PetscInt a = mesh->vertex[cell][i];
 
@@ -234,17 +245,34 @@ PetscErrorCode BisectionSort(Bisection *mesh)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Sets the generations that are asked for: in whole cells, and at vertices. A vertex has the least of what
+   its cells ask for. So no cell is cut towards a vertex whose other cells are to stay. */
+static void BisectionSetGoals_Private(Bisection *mesh, const PetscInt marked[], PetscInt at_vertex[])
+{
+  for (PetscInt v = 0; v < mesh->num_vertices; v++) at_vertex[v] = PETSC_MAX_INT;
+  for (PetscInt c = 0; c < mesh->num_cells; c++) {
+    const PetscBool graded = (PetscBool)(marked[c] < 0);
+    const PetscInt  near   = mesh->generation[c] + (graded ? BisectionGetHalvings(marked[c]) * mesh->dim : 0);
+
+    mesh->goal[c] = mesh->generation[c] + (graded ? 1 : marked[c]) * mesh->dim;
+    for (PetscInt i = 0; i <= mesh->dim; i++)
+      at_vertex[mesh->vertex[c][i]] = PetscMin(at_vertex[mesh->vertex[c][i]], near);
+  }
+}
+
 PetscErrorCode BisectionRefineMore(Bisection *mesh, const PetscInt marked[])
 {
   Cuts cuts = {.room = mesh->room_vertices};
 
   PetscFunctionBeginUser;
   PetscCall(PetscCalloc1(cuts.room, &cuts.touched));
-  for (PetscInt c = 0; c < mesh->num_cells; c++) mesh->goal[c] = mesh->generation[c] + marked[c] * mesh->dim;
+  PetscCall(PetscMalloc1(cuts.room, &cuts.goal));
+  BisectionSetGoals_Private(mesh, marked, cuts.goal);
   PetscCall(BisectionClose_Private(mesh, &cuts));
   PetscCall(BisectionSort(mesh));
   PetscCall(EdgeTableDestroy(&cuts.middles));
   PetscCall(PetscFree(cuts.touched));
+  PetscCall(PetscFree(cuts.goal));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -55,11 +55,15 @@ PetscErrorCode BisectionCreate(PetscInt dim, PetscInt num_vertices, PetscInt num
 PetscErrorCode BisectionDestroy(Bisection *mesh);
 /* The shape functions of a vertex of a cell in its parent. Borrowed. Not collective. */
 PetscReal *BisectionGetPlace(const Bisection *mesh, PetscInt cell, PetscInt vertex);
+/* How often a mark of BisectionRefine() halves an edge at most. Not collective. */
+PetscInt BisectionGetHalvings(PetscInt mark);
 /* Whether the orientation of a cell's vertices is opposite to that in the first mesh. Not collective. */
 PetscBool BisectionIsTurned(const Bisection *mesh, PetscInt cell);
 
 /* Bisects cells dim times for each mark, which halves their edges, and other cells until no vertex hangs.
-   Cells are in the order of their parents. Vertices keep their numbers; new ones follow. Not collective.
+   Cells are in the order of their parents. Vertices keep their numbers; new ones follow. A mark -n is graded
+   to vertices: the edges of the cell are halved once. At a vertex whose cells all have marks -n or less they
+   are halved max(n, 2 n - 2) times, and in between where this holds at both ends of an edge. Not collective.
    [in] marked - how often edges are halved [num_cells] */
 PetscErrorCode BisectionRefine(Bisection *mesh, const PetscInt marked[]);
 /* The same for the present cells: parents and coordinates refer to the cells before the last

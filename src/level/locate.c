@@ -200,7 +200,7 @@ PetscErrorCode LevelLocateAll(Level *level, PetscInt body, const PetscReal at[],
   PetscFunctionBeginUser;
   PetscCall(LevelLocate(level, body, at, &cell, xi, &found)); // may lie outside of all, under a curve
   *size = cell >= 0 ? LocateGetSize_Private(level, cell) : 0;
-  if (marked && cell >= 0) marked[cell] = PetscMax(1, marked[cell]);
+  if (marked && cell >= 0 && !marked[cell]) marked[cell] = 1;
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt *nodes = &level->cell_nodes[level->cell_start[c]];
     const PetscInt  num   = level->cell_start[c + 1] - level->cell_start[c];
@@ -210,7 +210,7 @@ PetscErrorCode LevelLocateAll(Level *level, PetscInt body, const PetscReal at[],
     VectorGather(dim, num, nodes, level->coords, X);
     if (!ElementLocate((ElementType)level->cell_type[c], X, at, SAME_PLACE, xi)) continue;
     *size = PetscMax(*size, reach);
-    if (marked) marked[c] = PetscMax(1, marked[c]);
+    if (marked && !marked[c]) marked[c] = 1;
   }
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, size, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -149,7 +149,8 @@ PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[])
 
   PetscFunctionBeginUser;
   PetscCall(ForestGatherMarks_Private(forest, MeshFinest(mesh), marked, &all));
-  for (PetscInt c = 0; c < MeshFinest(mesh)->num_cells; c++) halvings = PetscMax(halvings, marked[c]);
+  for (PetscInt c = 0; c < MeshFinest(mesh)->num_cells; c++)
+    halvings = PetscMax(halvings, BisectionGetHalvings(marked[c]));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &halvings, 1, MPIU_INT, MPI_MAX, mesh->scene->comm));
   for (PetscInt b = 0; b < forest->num_bodies && all; b++) {
     const PetscInt num = forest->tree[b].mesh.num_cells;

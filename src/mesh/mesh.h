@@ -47,7 +47,8 @@ PetscErrorCode MeshRefine(Mesh mesh);
    others until hanging nodes hang on nodes that do not. Cells that a map or a curve tangles are refined
    again. The mesh does not depend on the number of ranks; pointers into mesh->levels stay valid. For meshes
    of scenes with -adapt. User errors: a degenerate or tangled cell. Collective.
-   [in] marked - how often the edges of this rank's cells are halved [num_cells] */
+   [in] marked - how often the edges of this rank's cells are halved, -n in simplices for marks graded to
+   vertices, as of BisectionRefine() [num_cells] */
 PetscErrorCode MeshAdapt(Mesh mesh, const PetscInt marked[]);
 /* The same with all cells marked once. Collective. */
 PetscErrorCode MeshAdaptAll(Mesh mesh);

@@ -6,7 +6,8 @@
 enum {
   BINS_OF_OCTAVE = 64,                  /* a bin is 1.1 per cent wide */
   NUM_BINS       = 64 * BINS_OF_OCTAVE, /* cells with less than 2^-64 of the largest value are not marked */
-  MAX_HALVINGS   = 4,                   /* of an edge at once: a solution tells little of much smaller cells */
+  MAX_HALVINGS   = 4,                   /* rounds of marks: a solution tells little of much smaller cells */
+  MAX_GRADED     = 8,                   /* the same of marks that are graded to vertices, which make few cells */
   OCTAVES_LEFT   = 2                    /* expected decrease of the sum over a halved cell, in powers of 2 */
 };
 
@@ -105,11 +106,48 @@ static PetscErrorCode MarkingGetClosure_Private(const Level *level, PetscReal *c
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* How often cells are marked, in rounds. Marks of MAX_HALVINGS rounds halve edges too often for one level of
+   multigrid if they are not graded. */
+typedef struct {
+  PetscInt  num, last[MAX_GRADED]; /* rounds, and the last bin of each one */
+  PetscBool graded;                /* whether marks are graded to vertices */
+} Rounds;
+
+/* Makes rounds of marks until there are enough cells, at most so many. */
+static void MarkingAddRounds_Private(Histogram *all, PetscReal share, PetscReal enough, PetscInt most, Rounds *rounds)
+{
+  while (rounds->num < most && all->cells < enough)
+    rounds->last[rounds->num++] = MarkingHalve_Private(all, share, enough);
+}
+
+/* Sets the marks of this process. Collective.
+   [out] marked - [num_cells]; [out] num - of marked cells on all processes */
+static PetscErrorCode MarkingSet_Private(const Level *level, const PetscReal cell[], PetscReal largest,
+                                         const Histogram *all, const Rounds *rounds, PetscInt marked[], PetscReal *num)
+{
+  PetscFunctionBeginUser;
+  *num = 0;
+  for (PetscInt c = 0; c < level->num_cells; c++) {
+    PetscInt bin = MarkingGetBin_Private(largest, cell[c]);
+
+    marked[c] = 0;
+    for (PetscInt i = 0; i < rounds->num; i++) {
+      if (bin > rounds->last[i]) continue;
+      marked[c]++;
+      bin += all->step;
+    }
+    *num += marked[c] > 0;
+    if (rounds->graded) marked[c] = -marked[c];
+  }
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, num, 1, MPIU_REAL, MPI_SUM, level->comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode MarkingCreate(const Level *level, const PetscReal cell[], PetscReal norm, PetscReal share,
                              PetscBool least, PetscInt **marked, PetscReal *growth)
 {
-  PetscReal  largest = 0, closure    = 0, squared, before, enough;
-  PetscInt   last[MAX_HALVINGS], num = 0, most;
+  PetscReal  largest = 0, closure = 0, squared, before, enough, num;
+  Rounds     rounds = {0};
   Histogram *all;
 
   PetscFunctionBeginUser;
@@ -119,24 +157,19 @@ PetscErrorCode MarkingCreate(const Level *level, const PetscReal cell[], PetscRe
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPIU_REAL, MPIU_MAX, level->comm));
   PetscCall(MarkingCount_Private(level, cell, largest, all));
   PetscCall(MarkingGetClosure_Private(level, &closure));
-  squared     = all->squared;
-  most        = squared > LARGE_ERROR * norm ? 1 : MAX_HALVINGS;
-  before      = all->cells;
-  enough      = before * (1 + GROWTH_OF_SHARE * share / closure);
-  last[num++] = MarkingHalve_Private(all, share, PETSC_INFINITY);
+  squared = all->squared;
+  before  = all->cells;
+  enough  = before * (1 + GROWTH_OF_SHARE * share / closure);
+
+  rounds.last[rounds.num++] = MarkingHalve_Private(all, share, PETSC_INFINITY);
   if (least) enough = LEAST_GROWTH * before;
   if (squared > MEDIUM_ERROR * norm && all->cells >= LEAST_GROWTH * before) enough = 0;
-  while (num < most && all->cells < enough) last[num++] = MarkingHalve_Private(all, share, enough);
-  for (PetscInt c = 0; c < level->num_cells; c++) {
-    PetscInt bin = MarkingGetBin_Private(largest, cell[c]);
-
-    (*marked)[c] = 0;
-    for (PetscInt i = 0; i < num; i++) {
-      if (bin > last[i]) continue;
-      (*marked)[c]++;
-      bin += all->step;
-    }
-  }
+  if (squared > LARGE_ERROR * norm) enough = 0;
+  MarkingAddRounds_Private(all, share, enough, MAX_HALVINGS, &rounds);
+  rounds.graded = (PetscBool)(!least && closure > CLOSURE * (1 - EQUAL_PARTS) && rounds.num == MAX_HALVINGS);
+  if (rounds.graded) MarkingAddRounds_Private(all, share, enough, MAX_GRADED, &rounds);
+  PetscCall(MarkingSet_Private(level, cell, largest, all, &rounds, *marked, &num));
+  if (rounds.graded) all->cells = before + num * ((1 << level->dim) - 1);
   if (growth) *growth = 1 + closure * (all->cells / before - 1);
   PetscCall(PetscFree(all));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -235,7 +235,7 @@ static void CheckShapes(const Bisection *mesh, const PetscReal x[], PetscReal sh
 
 /* Marks, by where cells are, so that no numbering matters: a place that moves, and sparse chance. */
 static void MarkCells(const Bisection *mesh, const PetscReal x[], const PetscReal centre[], PetscReal radius,
-                      PetscInt marked[])
+                      PetscInt mark, PetscInt marked[])
 {
   for (PetscInt c = 0; c < mesh->num_cells; c++) {
     PetscReal distance = 0;
@@ -247,7 +247,7 @@ static void MarkCells(const Bisection *mesh, const PetscReal x[], const PetscRea
         middle += x[mesh->vertex[c][i] * mesh->dim + d] / (PetscReal)(mesh->dim + 1);
       distance += PetscSqr(middle - centre[d]);
     }
-    marked[c] = (PetscBool)(PetscSqrtReal(distance) < radius);
+    marked[c] = PetscSqrtReal(distance) < radius ? mark : 0;
   }
 }
 
@@ -311,7 +311,8 @@ static void Shuffle(Brick *brick)
 }
 
 /* One refinement around a place. */
-static PetscErrorCode Step(const Brick *brick, const PetscReal centre[], PetscReal radius, Bisection *mesh)
+static PetscErrorCode Step(const Brick *brick, const PetscReal centre[], PetscReal radius, PetscInt mark,
+                           Bisection *mesh)
 {
   PetscReal *x = Positions(mesh, brick), *y;
   PetscInt  *marked;
@@ -320,7 +321,7 @@ static PetscErrorCode Step(const Brick *brick, const PetscReal centre[], PetscRe
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc2(mesh->num_cells, &marked, mesh->num_cells, &before));
   memcpy(before, mesh->vertex, (size_t)mesh->num_cells * sizeof(*before));
-  MarkCells(mesh, x, centre, radius, marked);
+  MarkCells(mesh, x, centre, radius, mark, marked);
   PetscCall(BisectionRefine(mesh, marked));
   y = Positions(mesh, brick);
   CheckPlaces(mesh, y, before);
@@ -345,9 +346,10 @@ static PetscErrorCode TestMesh(PetscInt dim, PetscInt n, PetscReal shake)
   for (PetscInt round = 0; round < NUM_ROUNDS && a.num_cells < MAX_CELLS; round++) {
     const PetscReal centre[3] = {Uniform(0, 1), Uniform(0, 1), Uniform(0, 1)};
     const PetscReal radius    = Uniform(.02, .4);
+    const PetscInt  mark      = round % 2 ? -2 : 1; // every second time graded to vertices
 
-    PetscCall(Step(&brick, centre, radius, &a));
-    PetscCall(Step(&brick, centre, radius, &b));
+    PetscCall(Step(&brick, centre, radius, mark, &a));
+    PetscCall(Step(&brick, centre, radius, mark, &b));
     x = Positions(&a, &brick);
     y = Positions(&b, &brick);
     CheckConforming(&a);
@@ -383,6 +385,48 @@ static PetscErrorCode TestUniform(PetscInt dim)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Marks -3 at one vertex: its cells are halved four times there and once elsewhere. Where all cells have marks
+   -2, all edges are halved twice. */
+static PetscErrorCode TestGraded(PetscInt dim)
+{
+  Brick     brick = BrickCreate(dim, 4, 0);
+  Bisection peak, all;
+  PetscInt *marked, middle = 0, num = 0;
+
+  PetscFunctionBeginUser;
+  while (PetscAbsReal(brick.coords[middle * dim] - .5) + PetscAbsReal(brick.coords[middle * dim + 1] - .5) +
+             PetscAbsReal(brick.coords[middle * dim + dim - 1] - .5) >
+         .1)
+    middle++;
+  PetscCall(BisectionCreate(dim, brick.num_vertices, brick.num_cells, brick.cells, brick.facets, brick.coords, &peak));
+  PetscCall(BisectionCreate(dim, brick.num_vertices, brick.num_cells, brick.cells, brick.facets, brick.coords, &all));
+  PetscCall(PetscCalloc1(brick.num_cells, &marked));
+  for (PetscInt c = 0; c < peak.num_cells; c++) {
+    for (PetscInt i = 0; i <= dim; i++)
+      if (peak.vertex[c][i] == middle) marked[c] = -3;
+  }
+  PetscCall(BisectionRefine(&peak, marked));
+  CheckConforming(&peak);
+  CHECK(BisectionGetHalvings(-3) == 4 && BisectionGetHalvings(-2) == 2 && BisectionGetHalvings(-1) == 1);
+  for (PetscInt c = 0; c < peak.num_cells; c++) {
+    for (PetscInt i = 0; i <= dim; i++) {
+      if (peak.vertex[c][i] != middle) continue;
+      num++;
+      CHECK(peak.generation[c] == 4 * dim);
+    }
+  }
+  CHECK(num > 0);
+  CHECK(peak.num_cells < 4 * brick.num_cells); // six cells of the plane alone make 384 in three halvings, of 128
+  for (PetscInt c = 0; c < brick.num_cells; c++) marked[c] = -2;
+  PetscCall(BisectionRefine(&all, marked));
+  CHECK(all.num_cells == brick.num_cells << 2 * dim);
+  PetscCall(PetscFree(marked));
+  PetscCall(BisectionDestroy(&peak));
+  PetscCall(BisectionDestroy(&all));
+  BrickDestroy(&brick);
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 int main(int argc, char **argv)
 {
   const PetscInt num = argc > 1 && atoi(argv[1]) > 0 ? atoi(argv[1]) : NUM_MESHES;
@@ -390,6 +434,7 @@ int main(int argc, char **argv)
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   for (PetscInt dim = 2; dim <= 3; dim++) {
     PetscCall(TestUniform(dim));
+    PetscCall(TestGraded(dim));
     for (PetscInt i = 0; i < num; i++) PetscCall(TestMesh(dim, 1 + i % MAX_GRID, i % 2 ? .15 : 0));
   }
   PetscCall(PetscFinalize());
