@@ -8,7 +8,7 @@ import re
 import subprocess
 
 # Of this machine, that say how MPI starts.
-VARIABLES = ("OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_orte_create_session_dirs", "OMPI_MCA_pml", "HWLOC_COMPONENTS")
+VARIABLES = ("OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_orte_create_session_dirs", "OMPI_MCA_pml", "HWLOC_COMPONENTS", "HWLOC_PLUGINS_PATH")
 CARDS = {"pci", "opencl", "gl"}  # components of hwloc
 
 
