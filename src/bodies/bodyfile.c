@@ -61,9 +61,9 @@ static void ExtractCells_Private(const Extract *x, BodyList *list)
   }
 }
 
-/* Tables of the file's mesh, with the body's own refinements. New vertices follow the curves of a file of
+/* Tables of the file's mesh, refined so many times. New vertices follow the curves of a file of
    second order, so that the vertices of a body do not depend on its order. */
-static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt body, MeshFile file)
+static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt body, PetscInt refine, MeshFile file)
 {
   PetscInt size;
 
@@ -75,8 +75,8 @@ static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt 
   x->scene       = (struct _n_Scene){.comm = PETSC_COMM_SELF, .dim = scene->dim, .num_bodies = 1, .bodies = &x->alone};
   PetscCall(LevelCreateTables(&x->scene, file->dm, x->alone.order, &x->level));
   PetscCall(LevelSetCoords(&x->level, &file->curves));
-  if (x->body->refine) PetscCall(ExtractMarkParabolas(x, scene, body));
-  for (PetscInt i = 0; i < x->body->refine; i++) {
+  if (refine) PetscCall(ExtractMarkParabolas(x, scene, body));
+  for (PetscInt i = 0; i < refine; i++) {
     ArcSides sides;
     Level    coarse;
 
@@ -90,8 +90,8 @@ static PetscErrorCode ExtractSetLevel_Private(Extract *x, Scene scene, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
-                                  char sentence[])
+PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, PetscInt refine, const SideNames *names, MeshFile *files,
+                                  BodyList *list, char sentence[])
 {
   const PetscInt dim = scene->dim;
   Extract        x   = {.body = &scene->bodies[body]};
@@ -104,7 +104,7 @@ PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *n
   PetscCall(SharedCellsCheck(scene, body, file, sentence));
   if (sentence[0]) PetscFunctionReturn(PETSC_SUCCESS);
   x.names = &file->names;
-  PetscCall(ExtractSetLevel_Private(&x, scene, body, file));
+  PetscCall(ExtractSetLevel_Private(&x, scene, body, refine, file));
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 0, &x.cell_begin, NULL));
   PetscCall(DMPlexGetHeightStratum(x.level.dm, 1, &begin, &end));
   PetscCall(PetscMalloc2(x.level.num_cells, &x.cell_at, x.level.num_nodes, &x.node_at));

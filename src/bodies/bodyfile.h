@@ -5,8 +5,8 @@
 #include "bodies/bodylist.h"
 #include "bodies/meshfile.h"
 
-/* The cells of a body's file, or of one of its regions, with the body's own refinements. */
-PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, const SideNames *names, MeshFile *files, BodyList *list,
-                                  char sentence[]);
+/* The cells of a body's file, or of one of its regions. [in] refine - how often they are refined */
+PetscErrorCode BodyListCreateFile(Scene scene, PetscInt body, PetscInt refine, const SideNames *names, MeshFile *files,
+                                  BodyList *list, char sentence[]);
 
 #endif

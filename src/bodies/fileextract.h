@@ -10,7 +10,7 @@ typedef struct {
   const GmshNames *names;
   struct _n_Scene  scene; /* of this body alone, before its map, with all cells of the file */
   SceneBody        alone;
-  Level            level; /* with the body's own refinements */
+  Level            level; /* with refinements before all bodies are merged */
   PetscInt         cell_begin, num_cells, num_vertices, num_nodes;
   PetscInt        *cell_at; /* position of each cell in the lists, -1 for other regions */
   PetscInt        *node_at; /* likewise of each of the level's nodes */

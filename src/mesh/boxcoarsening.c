@@ -2,7 +2,11 @@
 
    A box of 256 x 192 cells is one of 8 x 6 cells that is refined five times. So scenes of boxes have coarser
    levels without -dm_refine, where solvers use them. For few ranks the levels, and so the iterations, do not
-   depend on the number of ranks. */
+   depend on the number of ranks.
+
+   A file has no coarser cells, but all bodies may have refinements of their own. Those that all have make
+   levels, too. They do so for every solver: refinement of a level follows surfaces more closely (eq. 4.5),
+   and the mesh must not depend on the solver. */
 #include "base/compat.h"
 #include "mesh/boxcoarsening.h"
 #include "mesh/mesh.h"
@@ -60,13 +64,14 @@ static PetscBool SceneWantsLevels_Private(Scene scene)
       scene, SceneGetSize_Private(scene, scene->refine + PetscMax(study->levels - 1, 0), order).unknowns);
 }
 
-/* How many times the edges of a body can be doubled. Refined triangles are those of the finer box; refined
-   tetrahedra are not. */
+/* How many times the edges of a body can be doubled: of a file, as often as its own option refines it.
+   Refined triangles are those of the finer box; refined tetrahedra are not. */
 static PetscInt BodyCountCoarser_Private(const SceneBody *body, PetscInt dim)
 {
   PetscInt faces = 0, times = body->refine;
 
-  if (body->mesh_file || (body->simplex && dim == 3)) return 0;
+  if (body->mesh_file) return times;
+  if (body->simplex && dim == 3) return 0;
   for (PetscInt d = 0; d < dim; d++) faces |= body->faces[d]; // its lowest bit is the lowest of all
   for (; faces % 2 == 0; faces /= 2) times++;
   return times;
@@ -84,14 +89,17 @@ static PetscBool SceneIsSmall_Private(Scene scene, PetscInt coarser, PetscMPIInt
 
 PetscInt SceneCountCoarser(Scene scene, PetscMPIInt num_ranks)
 {
-  PetscInt most = PETSC_MAX_INT, times;
+  PetscInt  most  = PETSC_MAX_INT, times;
+  PetscBool files = PETSC_FALSE;
 
-  if (!SceneWantsLevels_Private(scene)) return 0;
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
-    most = PetscMin(most, BodyCountCoarser_Private(&scene->bodies[b], scene->dim));
+    files = (PetscBool)(files || scene->bodies[b].mesh_file);
+    most  = PetscMin(most, BodyCountCoarser_Private(&scene->bodies[b], scene->dim));
     // cells may tangle in one order only, but in a study all orders have the same levels
     if (scene->bodies[b].map && scene->study.num_orders > 1) most = 0;
   }
+  if (files) return most; // the refined mesh must not depend on the solver
+  if (!SceneWantsLevels_Private(scene)) return 0;
   times = most;
   while (times > 0 && SceneIsSmall_Private(scene, times, num_ranks)) times--;
   // at least one level where levels are requested

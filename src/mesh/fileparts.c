@@ -21,12 +21,13 @@ static PetscBool FileHasParts_Private(const char path[])
   return (PetscBool)(ending && (!strncmp(ending, ".msh", strlen(".msh")) || !strcmp(ending, ".h5")));
 }
 
-PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks)
+PetscBool FilePartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks)
 {
   for (PetscInt b = 0; b < scene->num_bodies; b++) {
     const SceneBody *body = &scene->bodies[b];
 
-    if (!body->mesh_file || body->map || body->refine || !FileHasParts_Private(body->mesh_file)) return PETSC_FALSE;
+    if (!body->mesh_file || body->map || body->refine > coarser || !FileHasParts_Private(body->mesh_file))
+      return PETSC_FALSE;
   }
   return (PetscBool)(num_ranks > 1 && !scene->adapt.on);
 }

@@ -6,8 +6,8 @@
 #include "refinement/curves.h"
 
 extern const FileLimits FILE_LIMITS;
-/* Whether mesh files may be read and partitioned by all ranks. */
-PetscBool FilePartsWanted(Scene scene, PetscMPIInt num_ranks);
+/* Whether mesh files may be read and partitioned by all ranks. [in] coarser - of SceneCountCoarser() */
+PetscBool FilePartsWanted(Scene scene, PetscInt coarser, PetscMPIInt num_ranks);
 /* The mesh of all files, made by parts. Collective.
    [in] refine - number of later refinements; [out] good - false without a mesh: files have few cells, errors,
    or a reason for a warning */

@@ -1,9 +1,9 @@
 /* mesh.h -- the one DMPlex of all bodies, and its levels.
 
    Every body is made or read on the first rank, refined by its own -<body>_dm_refine, and merged into one
-   DMPlex. Boxes and files of many cells are made in parts by all ranks (boxparts.c, fileparting.c). Facets
-   have one label for each named side that the scene uses. Cells have a label "material" until the tables have
-   it. */
+   DMPlex. Refinements that all bodies have follow afterwards, where some body is a file. Boxes and files of
+   many cells are made in parts by all ranks (boxparts.c, fileparting.c). Facets have one label for each named
+   side that the scene uses. Cells have a label "material" until the tables have it. */
 #ifndef MORTISE_MESH_H
 #define MORTISE_MESH_H
 
@@ -22,7 +22,7 @@ enum { MESH_MAX_ADAPTED = 128 };
 
 struct _n_Mesh {
   Scene                 scene;      /* borrowed */
-  PetscInt              num_levels; /* coarser ones of boxes (boxcoarsening.c), bodies as given, common refinements */
+  PetscInt              num_levels; /* coarser ones (boxcoarsening.c), bodies as given, common refinements */
   PetscInt              own;    /* the level that is the scene's mesh with its -dm_refine; MeshRefine() adds others */
   Level                *levels; /* coarse first; the last one is the mesh that is solved on */
   struct _n_MeshForest *forest; /* private: cells that can be bisected; NULL without -adapt */

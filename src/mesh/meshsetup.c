@@ -24,13 +24,12 @@
 #include "partition/partition.h"
 #include "refinement/levelrefine.h"
 
-/* Whether the cells of a file can be numbered on the finest mesh, as those of boxes can. [out] sentence -
-   untouched if so */
-static void MeshCheckSize_Private(const struct _n_Scene *scene, const SceneBody *body, const BodyList *list,
-                                  char sentence[])
+/* Whether the cells of a file can be numbered on the finest mesh, as those of boxes can. [in] list - of the
+   coarsest mesh; [out] sentence - untouched if so */
+static void MeshCheckSize_Private(const struct _n_Scene *scene, PetscInt coarser, const SceneBody *body,
+                                  const BodyList *list, char sentence[])
 {
-  const PetscInt refine =
-      body->refine + scene->refine + (scene->study.kind == STUDY_UNIFORM ? scene->study.levels - 1 : 0);
+  const PetscInt  refine = coarser + scene->refine + (scene->study.kind == STUDY_UNIFORM ? scene->study.levels - 1 : 0);
   const PetscInt  unknowns = scene->dim == 2 ? 2 * 4 : 3 * 8; // of a cell of order 2 that shares its nodes
   const PetscReal cells    = PetscPowReal(2, (PetscReal)(scene->dim * refine)) * (PetscReal)list->num_cells;
 
@@ -57,8 +56,8 @@ static PetscErrorCode MeshMakeBodies_Private(Scene scene, PetscInt coarser, cons
     // no further body after a mistake
     BodyCoarsen(&body, scene->dim, coarser);
     if (body.mesh_file) {
-      PetscCall(BodyListCreateFile(scene, b, &names[b], &files, &lists[b], sentence));
-      if (!sentence[0]) MeshCheckSize_Private(scene, &body, &lists[b], sentence);
+      PetscCall(BodyListCreateFile(scene, b, body.refine, &names[b], &files, &lists[b], sentence));
+      if (!sentence[0]) MeshCheckSize_Private(scene, coarser, &body, &lists[b], sentence);
     } else
       PetscCall(BodyListCreateBox(&body, scene->dim, &names[b], NULL, &lists[b], sentence));
   }
@@ -137,8 +136,8 @@ static PetscErrorCode MeshBegin_Private(Mesh mesh, PetscInt coarser)
   parts = BoxPartsWanted(scene, coarser, size);
   if (parts)
     PetscCall(BoxPartsCreate(scene, coarser, &dm, &curves));
-  else if (FilePartsWanted(scene, size))
-    PetscCall(FilePartsCreate(scene, &FILE_LIMITS, scene->refine, &dm, &curves, &parts));
+  else if (FilePartsWanted(scene, coarser, size))
+    PetscCall(FilePartsCreate(scene, &FILE_LIMITS, coarser + scene->refine, &dm, &curves, &parts));
   if (!parts) PetscCall(MeshCreateWhole_Private(scene, coarser, &dm, &curves, &mesh->forest));
   PetscCall(PetscMalloc1(mesh->forest ? MESH_MAX_ADAPTED : 1, &mesh->levels)); // inequalities point there
   mesh->num_levels = 1;

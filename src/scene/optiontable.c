@@ -83,7 +83,8 @@ static const OptionEntry table[] = {
     {GROUP_MESH, "-<body>_map", "e,e[,e]", "length", "(identity)",
      "Position of the mesh point x, y, z, on every level: graded boxes, rings, discs."},
     {GROUP_MESH, "-<body>_dm_refine", "n", "", "0",
-     "Number of refinements of this body alone, before those of -dm_refine."},
+     "Number of refinements of this body, before those of -dm_refine. In scenes with mesh files, those that all bodies "
+     "have make levels, as -dm_refine does."},
     {GROUP_MESH, "-<body>_polygonal", "0|1", "", "0",
      "Keeps the polygons of straight edges in contact. By default, facets that meet at less than 31 degrees are one "
      "smooth side. Its gaps are those of the curves that nodal normals define. Refinement of a mesh file puts new "

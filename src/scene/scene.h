@@ -53,7 +53,7 @@ typedef struct {
   PetscInt      faces[3];  /* cells of the box along each axis */
   PetscReal     lower[3], upper[3];
   Expression    map;    /* box coordinates to positions [dim], or NULL */
-  PetscInt      refine; /* refinements of this body alone, before all are merged */
+  PetscInt      refine; /* refinements of this body, before those of all */
   PetscInt      order;
   PetscBool     polygonal;                 /* sides are the polygons that the facets of first order make */
   PetscBool     curved_file;               /* set by the mesh: the file is of second order */

@@ -35,12 +35,6 @@ def grains(upper, lower):
     return brick(upper, lower, 0, 3)._replace(options=boxes((upper,) * 3, (lower,) * 3, 0) + ["-upper_dm_plex_simplex", "1", "-lower_dm_plex_simplex", "1"])
 
 
-def own_refined(bodies, counts, more=()):
-    """A scene with bodies refined for themselves, before they meet, which leaves no coarser mesh: unknowns about counts."""
-    return [Size(f"bodies refined {r}", [word for body in bodies for word in (f"-{body}_dm_refine", str(r))] + list(more), count)
-            for r, count in counts.items()]
-
-
 def refined(counts, more=()):
     """A scene as it is, refined so many times: unknowns about counts."""
     return [Size(f"refined {r}", ["-dm_refine", str(r), *more], count) for r, count in counts.items()]
@@ -56,7 +50,7 @@ SCENES = {
     "blocks": Scene("two blocks, curved gap", os.path.join(HERE, "blocks.opts"),
                     [brick(5, 4, 1, 3), brick(5, 4, 2, 3), brick(5, 4, 3, 3), brick(15, 12, 2, 3)], 4e4, 3),
     "tets": Scene("two blocks of tetrahedra, one mesh", os.path.join(HERE, "blocks.opts"), [grains(17, 13), grains(25, 19), grains(35, 27)], 2e4, 3, False),
-    "rail": Scene("wheel on rail, Gmsh, order 1", option("wheel_on_rail.opts"), own_refined(("wheel", "rail"), {1: 1.2e4}, ["-order", "1"]), 1e4, 3, False),
+    "rail": Scene("wheel on rail, Gmsh, order 1", option("wheel_on_rail.opts"), refined({1: 1.2e4}, ["-order", "1"]), 1e4, 3),
     "hertz2d": Scene("hertz2d", option("hertz2d.opts"), refined({1: 5e4, 2: 2e5, 3: 8e5}), 4e4, 2),
     "hertz3d": Scene("hertz3d, order 1", option("hertz3d.opts"), refined({1: 3.2e4, 2: 2.3e5}, ["-order", "1"]), 3e4, 3),
 }

@@ -84,7 +84,11 @@ mortise_scene_test(growth_solid SCENE blocks CHECK growth.py)
 mortise_scene_test(afar         CHECK afar.py ARGS -pc_type truncatedmg)
 mortise_scene_test(afar_quadratic SCENE afar CHECK afar.py ARGS -pc_type truncatedmg -order 2)
 mortise_scene_test(sets OWN_RUNS         SCENE blocks CHECK sets.py)
-mortise_scene_test(ahead OWN_RUNS        SCENE wheel_on_rail CHECK ahead.py LABELS mpi ARGS -order 1 -wheel_dm_refine 1 -rail_dm_refine 1 -pc_type truncatedmg)
+# a third body that is not refined: the mesh has one level
+mortise_scene_test(ahead OWN_RUNS        SCENE wheel_on_rail CHECK ahead.py LABELS mpi ARGS -order 1 -wheel_dm_refine 1 -rail_dm_refine 1 -pc_type truncatedmg
+  -bodies wheel,rail,pad -pad_dm_plex_box_faces 1,1,1 -pad_dm_plex_box_lower 300,300,300 -pad_dm_plex_box_upper 310,310,310 -pad_young 210000
+  -pad_poisson 0.3 -pad_bc_displacement bottom -pad_bc_displacement_bottom 0,0,0)
+mortise_scene_test(own_levels OWN_RUNS   SCENE wheel_on_rail CHECK own_levels.py LABELS mpi ARGS -order 1 -pc_type truncatedmg -measure_linear)
 mortise_scene_test(wander       CHECK wander.py ARGS -pc_type truncatedmg)
 mortise_scene_test(zigzag       SCENE blocks CHECK zigzag.py ARGS -dm_refine 2 -upper_young 2e12 -pc_type truncatedmg)
 mortise_scene_test(dealt        CHECK dealt.py ONLY_RANKS "it is with five ranks that one loses its blocks" RANKS 5 LABELS mpi ARGS -pc_type cholesky -dm_refine 3)

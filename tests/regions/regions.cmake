@@ -23,7 +23,10 @@ mortise_scene_test(dent CHECK dent.py RANKS 1 LONG_RANKS 3 ARGS -cross_check)
 mortise_scene_test(dent_quadratic SCENE dent CHECK dent.py RANKS 1 LONG_RANKS 3 ARGS -cross_check -order 2)
 mortise_scene_test(dent_refined SCENE dent CHECK dent.py ARGS -cross_check -dm_refine 2)
 mortise_scene_test(jump SCENE dent CHECK jump.py RANKS 1 LONG_RANKS 3 ARGS -strip_soft_poisson 0.3 -dm_refine 3 -pc_type truncatedmg)
-mortise_scene_test(jump_nodes SCENE dent CHECK jump.py ARGS -strip_soft_poisson 0.3 -strip_dm_refine 3 -pc_type truncatedmg)
+# a second body that is not refined: the mesh has one level
+mortise_scene_test(jump_nodes SCENE dent CHECK jump.py ARGS -strip_soft_poisson 0.3 -strip_dm_refine 3 -pc_type truncatedmg -bodies strip,pad
+  -pad_dm_plex_box_faces 1,1 -pad_dm_plex_box_lower 9,9 -pad_dm_plex_box_upper 10,10 -pad_young 1 -pad_poisson 0.3 -pad_bc_displacement bottom
+  -pad_bc_displacement_bottom 0,0 -probe_bond_body strip -probe_deep_body strip)
 
 # Two bodies share a file, each of some of its groups; a number names a group, and a name in capitals is another one.
 mortise_scene_test(joined SCENE layers CHECK joined.py RANKS 1 3 ARGS -strip_mesh_region "soft+upper two")
