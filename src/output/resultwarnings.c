@@ -378,14 +378,14 @@ static PetscErrorCode SummaryWarnUnconfirmed_Private(const SummaryInput *in)
 static PetscErrorCode SummaryWarnNotUnique_Private(const SummaryInput *in)
 {
   const FrictionReport *friction = &in->report->friction;
-  const PetscBool       others   = (PetscBool)(friction->others && !in->vi->rigid_modes.num);
 
   PetscFunctionBeginUser;
-  if (!in->vi->friction || !in->report->converged || (friction->rho < 1 && !others)) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!in->vi->friction || !in->report->converged || (friction->rho < 1 && !friction->others))
+    PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(
       &(Warning){.code = "not_unique", .advice = "compare with smaller load steps, and with a smaller coefficient"},
       "with this friction the solution %s: rho is %.3g, and below 1 there is no other one near it",
-      others ? "is not the only one, and there are at least two others" : "may not be the only one",
+      friction->others ? "is not the only one, and there are at least two others" : "may not be the only one",
       (double)friction->rho));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -72,7 +72,6 @@ static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solv
 {
   const FrictionReport   *report   = &in->report->friction;
   const FrictionResidual *residual = &in->certificate->friction;
-  const PetscBool         others   = (PetscBool)(report->others && !in->vi->rigid_modes.num);
   cJSON                  *object;
 
   if (!in->vi->friction || !in->fields) {
@@ -82,8 +81,8 @@ static void SolverSummaryAddFriction_Private(const SummaryInput *in, cJSON *solv
   object = cJSON_AddObjectToObject(solver, "friction");
   JSONAddReal(object, "rho", report->rho);
   JSONAddReal(object, "rho_error", report->rho_error);
-  cJSON_AddBoolToObject(object, "unique", report->rho < 1 && !others);
-  cJSON_AddBoolToObject(object, "others", others);
+  cJSON_AddBoolToObject(object, "unique", report->rho < 1 && !report->others);
+  cJSON_AddBoolToObject(object, "others", report->others);
   cJSON_AddStringToObject(object, "rho_mesh", report->coarser ? "coarser" : "own");
   JSONAddInt(object, "slipping", report->slipping);
   JSONAddInt(object, "sticking", report->sticking);

@@ -22,6 +22,7 @@ typedef struct {
   PetscReal *bound;       /* a force [n] */
   PetscReal *origin;      /* y_t without slip [n][2] */
   PetscReal *place;       /* a number of the node's place, whatever the order of unknowns [n] */
+  PetscBool  held;        /* supports hold all bodies */
 } FrictionLaw;
 
 /* Results of the last solve. */
@@ -30,7 +31,8 @@ typedef struct {
   PetscReal rho;                /* spectral radius of G -> coefficient r_n(G) at slipping nodes (eq. 16.6) */
   PetscReal rho_error;          /* of its iteration, to first order */
   PetscBool others;    /* held bodies have other solutions: an odd number of its eigenvalues are real and above 1, or
-                          the state without contact is one (dense systems alone tell) */
+                          one is found beside it */
+  PetscBool beside;    /* the state without contact is a solution, too, or beside it there is one that jams */
   PetscInt  shortened; /* Newton steps that were shortened */
   PetscBool coarser;   /* rho is that of the coarser mesh */
   PetscReal coupling, turning; /* of friction with itself by pressures (eq. 16.8d); PETSC_MAX_REAL: no bound */

@@ -140,8 +140,8 @@ PetscErrorCode FrictionProblemDestroy(FrictionProblem *problem);
 PetscErrorCode FrictionProblemSetForces(FrictionProblem *problem);
 /* g += S y. */
 PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem);
-/* Whether the state without contact satisfies the law, too, with all gaps open. Without bounds of friction
-   alone. Replaces the factors. [out] opens */
+/* Whether the state without contact satisfies the law, too. Without bounds of friction alone. Replaces the
+   factors. [out] opens */
 PetscErrorCode FrictionProblemOpens(FrictionProblem *problem, PetscBool *opens);
 /* Sweeps over the units, unless the last steps did not descend. Each unit satisfies its law, with the others
    as they are. */
@@ -189,6 +189,9 @@ struct _n_FrictionMethod {
   /* [out] y - all unknowns; pdas->friction_report; pdas->set.active: closed and sticking unknowns */
   PetscErrorCode (*finish)(FrictionMethod, Vec y);
   PetscErrorCode (*destroy)(FrictionMethod);
+  /* Whether the state without contact satisfies the law, too. Without bounds of friction alone.
+     [out] opens */
+  PetscErrorCode (*opens)(FrictionMethod, PetscBool *opens);
 };
 
 /* Resets the history of steps, for other limits. Collective. */
@@ -204,6 +207,12 @@ PetscErrorCode FrictionGrow(SNES snes, FrictionMethod method, PetscReal largest,
 /* Sets values and decisions to those of the first step after the solution without friction, if this descends.
    Collective. [in] start - initial guess; [in] residual - of the last step */
 PetscErrorCode FrictionRelease(SNES snes, FrictionMethod method, Vec start, PetscReal residual);
+
+/* Whether all gaps are open. Collective. [in] y - values [n]; [out] open */
+PetscErrorCode FrictionUnitsAreOpen(const FrictionUnits *units, const PetscReal y[], PetscBool *open);
+/* Looks for a solution beside that of the method, of bodies that supports hold. Where a coarser mesh gave the
+   initial states, it has looked. Collective. [out] found */
+PetscErrorCode FrictionFindOther(SNES snes, FrictionMethod method, PetscBool *found);
 
 /* w = M v at the units of this rank [num]; collective. */
 typedef PetscErrorCode (*FrictionMap)(FrictionMethod, const PetscReal v[], PetscReal w[]);

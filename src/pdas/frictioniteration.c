@@ -189,6 +189,7 @@ PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y
 {
   struct _n_FrictionMethod method = {.pdas = pdas, .solver = solver};
   const PetscReal          rtol   = solver->rtol;
+  PetscBool                beside = PETSC_FALSE;
 
   PetscFunctionBeginUser;
   method.rtol  = pdas->fixed_point ? 0 : pdas->friction_rtol;
@@ -196,7 +197,10 @@ PetscErrorCode FrictionIterate(SNES snes, PDAS *pdas, ActiveSolver solver, Vec y
   PetscCall(FrictionIterationCreate_Private(pdas, &method, y));
   PetscCall(pdas->fixed_point ? FrictionIterationFixedPoint_Private(snes, pdas, &method, y)
                               : FrictionIterationSolve_Private(snes, pdas, &method, y));
+  if (pdas->converged) PetscCall(FrictionFindOther(snes, &method, &beside));
   PetscCall((*method.finish)(&method, y));
+  pdas->friction_report.others = (PetscBool)(pdas->law->held && (beside || pdas->friction_report.others));
+  pdas->friction_report.beside = beside;
   PetscCall((*method.destroy)(&method));
   PetscCall(FrictionUnitsDestroy(&method.units));
   solver->rtol = rtol;

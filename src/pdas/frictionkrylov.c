@@ -30,6 +30,9 @@ static const PetscReal RHO_COARSER = 0.25, RHO_FEW_NODES = 1;
    has RHO_CORRECTION as an accuracy; beside RHO_COARSER it is small. */
 static const PetscReal RHO_RTOL = 1e-2, LEVEL_SETTLES = 0.2, RHO_CORRECTION = 0.3;
 
+/* The system without contact is solved roughly first, and more exactly where gaps open. */
+static const PetscReal OPENS_ROUGHLY = 0.5, OPENS_RTOL = 1e-4;
+
 typedef struct {
   FrictionLinear linear;
   Vec            y, r;  /* all unknowns; b - A y */
@@ -293,6 +296,18 @@ static PetscErrorCode FrictionKrylovConfirm_Private(FrictionMethod method, Frict
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Sets the decisions in the system and in its cycle. */
+static PetscErrorCode FrictionKrylovTell_Private(FrictionMethod method)
+{
+  Krylov *t = method->data;
+
+  PetscFunctionBeginUser;
+  FrictionUnitsMark(&method->units, t->linear.fixed);
+  PetscCall(FrictionLinearTell(&t->linear));
+  t->told = PETSC_TRUE;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Proximal steps before the decisions. Not without displacements, since they carry loads only a few cells
    far. Not after a step that did not descend: in slender bodies they may lead away from the solution. If they
    do not descend, as where they lead to another one of several solutions, they are taken back. */
@@ -358,6 +373,38 @@ static PetscErrorCode Restart_Krylov(FrictionMethod method)
 
   PetscFunctionBeginUser;
   t->forcing = FIRST_FORCING;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* Whether all gaps are open where contact and friction have no forces: y + d, A d = r. [in] rtol */
+static PetscErrorCode FrictionKrylovOpens_Private(FrictionMethod method, PetscReal rtol, PetscBool *opens)
+{
+  Krylov  *t          = method->data;
+  PetscInt iterations = 0;
+
+  PetscFunctionBeginUser;
+  PetscCall(FrictionLinearSolve(&t->linear, rtol, t->r, t->d, &iterations));
+  PetscCall(VecAXPY(t->d, 1, t->y));
+  PetscCall(ActiveSetGather(method->solver->set, t->d, t->from));
+  PetscCall(FrictionUnitsAreOpen(&method->units, t->from, opens));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+static PetscErrorCode Opens_Krylov(FrictionMethod method, PetscBool *opens)
+{
+  FrictionUnits *units = &method->units;
+  FrictionUnit  *kept;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(units->num, &kept));
+  PetscCall(PetscArraycpy(kept, units->unit, units->num));
+  FrictionUnitsForget(units);
+  PetscCall(FrictionKrylovTell_Private(method));
+  PetscCall(FrictionKrylovOpens_Private(method, OPENS_ROUGHLY, opens));
+  if (*opens) PetscCall(FrictionKrylovOpens_Private(method, OPENS_RTOL, opens));
+  PetscCall(PetscArraycpy(units->unit, kept, units->num));
+  PetscCall(FrictionKrylovTell_Private(method));
+  PetscCall(PetscFree(kept));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -470,6 +517,7 @@ static PetscErrorCode Finish_Krylov(FrictionMethod method, Vec y)
   FrictionUnitsMark(&method->units, pdas->set.active);
   PetscCall(FrictionUnitsCount(&method->units, report, &closed));
   if (!pdas->converged) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!t->told) PetscCall(FrictionKrylovTell_Private(method));
   PetscCall(FrictionKrylovReport_Private(method, report));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -520,6 +568,7 @@ PetscErrorCode FrictionKrylovCreate(FrictionMethod method, Vec y)
   method->set     = Set_Krylov;
   method->finish  = Finish_Krylov;
   method->destroy = Destroy_Krylov;
+  method->opens   = Opens_Krylov;
   PetscCall(FrictionUnitsCreate(set, method->pdas->law, &method->units));
   PetscCall(VecDuplicate(y, &t->y));
   PetscCall(VecDuplicate(y, &t->r));

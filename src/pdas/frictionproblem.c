@@ -2,9 +2,6 @@
 #include "pdas/frictionimpl.h"
 #include <petscblaslapack.h>
 
-/* Gaps that are open have this part of the largest value: less may be roundoff. */
-static const PetscReal GAP_OPEN = 1e-6;
-
 PetscErrorCode FrictionProblemCreate(FrictionUnits *units, PetscScalar S[], FrictionProblem *problem)
 {
   const PetscInt n = units->n;
@@ -53,25 +50,16 @@ PetscErrorCode FrictionProblemAddProduct(FrictionProblem *problem)
 
 PetscErrorCode FrictionProblemOpens(FrictionProblem *problem, PetscBool *opens)
 {
-  const FrictionUnits *units   = problem->units;
-  PetscReal            largest = 0;
-  PetscBLASInt         N, info, one = 1;
+  PetscBLASInt N, info, one = 1;
 
   PetscFunctionBeginUser;
   *opens = PETSC_FALSE;
-  PetscCall(PetscBLASIntCast(units->n, &N));
-  PetscCall(PetscArraycpy(problem->M, problem->S, units->n * units->n));
-  PetscCall(PetscArraycpy(problem->x, problem->g, units->n));
+  PetscCall(PetscBLASIntCast(problem->units->n, &N));
+  PetscCall(PetscArraycpy(problem->M, problem->S, problem->units->n * problem->units->n));
+  PetscCall(PetscArraycpy(problem->x, problem->g, problem->units->n));
   PetscCallBLAS("LAPACKpotrf", LAPACKpotrf_("L", &N, problem->M, &N, &info));
   if (info) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCallBLAS("LAPACKpotrs", LAPACKpotrs_("L", &N, &one, problem->M, &N, problem->x, &N, &info));
-  *opens = (PetscBool)!info;
-  for (PetscInt a = 0; a < units->num; a++)
-    largest = PetscMax(largest, PetscAbsReal(problem->x[units->unit[a].normal]));
-  for (PetscInt a = 0; a < units->num; a++) {
-    const FrictionUnit *unit = &units->unit[a];
-
-    *opens = (PetscBool)(*opens && unit->bound == 0 && problem->x[unit->normal] < unit->upper - GAP_OPEN * largest);
-  }
+  if (!info) PetscCall(FrictionUnitsAreOpen(problem->units, problem->x, opens));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

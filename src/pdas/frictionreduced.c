@@ -220,6 +220,16 @@ static PetscErrorCode FrictionReducedGrow_Private(FrictionMethod method, const P
   return FrictionSystemGrow(&t->problem, v, w);
 }
 
+static PetscErrorCode Opens_Reduced(FrictionMethod method, PetscBool *opens)
+{
+  Reduced *t = method->data;
+
+  PetscFunctionBeginUser;
+  if (!t->rank) PetscCall(FrictionProblemOpens(&t->problem, opens));
+  PetscCallMPI(MPI_Bcast(opens, 1, MPIU_BOOL, 0, method->pdas->set.comm));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 /* Marks closed and sticking unknowns, and counts them. Collective. */
 static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
 {
@@ -242,7 +252,6 @@ static PetscErrorCode FrictionReducedReport_Private(FrictionMethod method)
     PetscCall(FrictionSpectralRadius(method, FrictionReducedGrow_Private, NULL, 0, PETSC_MAX_REAL, report));
     report->coarser = PETSC_FALSE;
     if (pdas->coupling_needed) PetscCall(FrictionCoupling(&t->problem, report));
-    if (closed && !report->others) PetscCall(FrictionProblemOpens(&t->problem, &report->others));
   }
   PetscCall(SchurSolverScatter(method->solver, all, own));
   for (PetscInt i = 0; i < pdas->set.n; i++) pdas->set.active[i] = (PetscBool)(own[i] > 0);
@@ -313,6 +322,7 @@ PetscErrorCode FrictionReducedCreate(FrictionMethod method, Vec y)
   method->set     = Set_Reduced;
   method->finish  = Finish_Reduced;
   method->destroy = Destroy_Reduced;
+  method->opens   = Opens_Reduced;
   PetscCallMPI(MPI_Comm_rank(set->comm, &t->rank));
   PetscCall(FrictionUnitsGather(set, method->pdas->law, &method->units));
   PetscCall(SchurSolverGetReduced(solver, &S, &g));

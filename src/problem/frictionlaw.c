@@ -163,7 +163,8 @@ PetscErrorCode FrictionLawCreate(VI vi)
   PetscCallMPI(MPI_Allreduce(&num_nodes, &all, 1, MPIU_INT, MPI_SUM, vi->level->comm));
   if (!all) PetscFunctionReturn(PETSC_SUCCESS); // no node faces a partner
   PetscCall(PetscNew(&law));
-  law->n = num_nodes;
+  law->n    = num_nodes;
+  law->held = (PetscBool)!vi->rigid_modes.num;
   PetscCall(PetscMalloc6(law->n, &law->normal, FRICTION_TANGENTS * law->n, &law->tangent, law->n, &law->coefficient,
                          law->n, &law->bound, FRICTION_TANGENTS * law->n, &law->origin, law->n, &law->place));
   for (PetscInt r = 0; r < vi->num_rows; r++)

@@ -15,7 +15,7 @@ MOST = 12
 MANY = 80  # nodes that slip: rho of the coarser mesh counts, as it is, not as a bound
 ACCURATE = 0.25  # of rho: errors at which a search for it ends (RHO_ACCURATE)
 FEW_NODES = 1  # of rho: what that of a coarser mesh with few such nodes has beside (RHO_FEW_NODES)
-JAMS = 1045  # has a solution without contact, too; by multigrid it ends there
+JAMS = {"cholesky": True, "truncatedmg": False}  # seed 1045: whether it ends in contact; the other state is a solution, too
 CONFIRMED = (480,)  # the second method found no solution: all nodes of a body that slid freely stuck at once
 
 
@@ -110,7 +110,9 @@ def judge(run):
         require(solver["iterations"] <= MOST, f"seed {seed}: {solver['iterations']} Newton steps")
     for seed in SMALL_RHO:
         judge_rho(run, seed)
-    jams = Run(run.program, run.mpiexec, 1, run.folder / "jams", [*arguments(law(scene(JAMS)[0], JAMS)), "-quiet"])
-    friction = jams.summary["solver"]["friction"]
-    codes = {warning["code"] for warning in jams.summary["warnings"]}
-    require(jams.exit == 0 and friction["others"] and not friction["unique"] and friction["rho"] < 1 and "not_unique" in codes, f"{friction} {codes}")
+    for solver, contact in JAMS.items():
+        done = Run(run.program, run.mpiexec, 1, run.folder / f"jams_{solver}", [*arguments(law(scene(1045)[0], 1045)), "-quiet", "-pc_type", solver])
+        friction = done.summary["solver"]["friction"]
+        codes = {warning["code"] for warning in done.summary["warnings"]}
+        require(done.exit == 0 and (friction["sticking"] > 0) == contact, f"{solver}: {friction}")
+        require(friction["others"] and not friction["unique"] and friction["rho"] < 1 and "not_unique" in codes, f"{solver}: {friction} {codes}")
