@@ -49,7 +49,7 @@ static PetscErrorCode FrictionGrowthRun_Private(SNES snes, FrictionMethod method
       PetscCall((*method->get)(method, solved));
       PetscCall(PetscArraycpy(kept, units->unit, units->num));
     } else {
-      if (last == 0) PetscFunctionReturn(PETSC_SUCCESS);
+      if (last == 0 || pdas->friction_yields) break;
       factor = PetscSqrtReal(factor);
       PetscCall((*method->set)(method, solved));
       PetscCall(PetscArraycpy(units->unit, kept, units->num));

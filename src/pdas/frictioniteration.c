@@ -88,20 +88,20 @@ PetscErrorCode FrictionIterationNewton(SNES snes, FrictionMethod method, Vec sta
   PDAS           *pdas  = method->pdas;
   PetscInt        begun = pdas->iterations;
   const PetscBool warm  = (PetscBool)(pdas->coarser.slipping + pdas->coarser.sticking > 0);
-  PetscBool       moved =
-      (PetscBool)(method->plain || method->grows || pdas->fixed_point || warm || (stops && pdas->friction_yields));
+  PetscBool       moved = (PetscBool)(method->plain || method->grows || pdas->fixed_point || warm);
 
   PetscFunctionBeginUser;
   PetscCall(FrictionIterationRestart(method));
   pdas->converged = PETSC_FALSE;
   while (!pdas->converged && !pdas->failure && pdas->iterations < pdas->max_it) {
     FrictionStep step;
+    PetscBool    far;
 
     PetscCall(FrictionIterationStep(snes, method, &step));
+    far = (PetscBool)(step.residual > step.size);
     if ((moved && !stops) || step.done || pdas->failure) continue;
-    if (method->units.stalled < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || step.residual <= step.size))
-      continue;
-    if (moved) break;
+    if (method->units.stalled < STALLED_STEPS && (pdas->iterations - begun < FAR_STEPS || !far)) continue;
+    if (moved || (far && stops && pdas->friction_yields)) break;
     moved = PETSC_TRUE;
     PetscCall(FrictionIterationMove_Private(snes, method, start, step.residual));
     begun = pdas->iterations;
@@ -167,7 +167,7 @@ static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, Fric
   stops = (PetscBool)(!method->pivot && largest > LARGE_COEFFICIENT);
   PetscCall(FrictionIterationNewton(snes, method, y, stops));
   if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
-  if (stops && pdas->friction_yields) PetscFunctionReturn(PETSC_SUCCESS);
+  if (stops && pdas->friction_yields && pdas->residual > 1) PetscFunctionReturn(PETSC_SUCCESS);
   if (method->pivot) PetscCall((*method->pivot)(method, PETSC_TRUE, &pivoted));
   if (pivoted) {
     pdas->failure = NULL;
@@ -175,6 +175,7 @@ static PetscErrorCode FrictionIterationSolve_Private(SNES snes, PDAS *pdas, Fric
   }
   if (!pdas->converged && largest > LARGE_COEFFICIENT) PetscCall(FrictionGrow(snes, method, largest, y));
   if (pdas->converged || pdas->iterations >= pdas->max_it) PetscFunctionReturn(PETSC_SUCCESS);
+  if (stops && pdas->friction_yields) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(PetscInfo(snes, "friction, once more: %s\n", pdas->failure));
   PetscCall((*method->destroy)(method));
   PetscCall(FrictionUnitsDestroy(&method->units));

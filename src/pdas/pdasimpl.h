@@ -223,8 +223,9 @@ PetscErrorCode PDASSetErrorReduction(SNES snes, PetscReal reduction, PetscReal d
 /* The same for one solver. Not collective. */
 PetscErrorCode ConvergenceSetErrorReduction(ActiveSolver solver, PetscReal error_reduction, PetscReal energy_decrease);
 
-/* Whether the iteration with friction gives up at full size, where steps stall with a coefficient above 1.
-   Then a dense system can take its place. Default: no. Collective. */
+/* Whether the iteration with friction gives up early at full size, with a coefficient above 1: where steps
+   leave a residual above the forces, or coefficients do not grow by the first factor. Then a dense system can
+   take its place. Default: no. Collective. */
 PetscErrorCode PDASSetFrictionYields(SNES snes, PetscBool yields);
 
 /* The solver of the last solve, with its final set, if it was kept (PDASSetKeep()) and converged. Borrowed,

@@ -20,7 +20,7 @@ typedef struct {
   PetscBool   keep;                      /* whether the solver keeps the multigrid levels for the next solve */
   PetscBool   replaces;                  /* whether it replaces one that failed, the user's, too */
   PetscBool   reducible;                 /* with friction at full size: whether its dense system could be solved */
-  PetscBool   stalls;                    /* and whether it is where steps stall with a large coefficient */
+  PetscBool   stalls;                    /* and whether it is early, with a large coefficient */
   PetscBool   fixed_point;               /* with friction: over Tresca's, for the second solution */
   PetscBool   again;                     /* whether it keeps everything, for the same matrices at another time */
 } SolverChoice;
