@@ -84,8 +84,9 @@ static PetscErrorCode ValiditySetHomogeneous_Private(Fields fields, Validity v)
 static PetscErrorCode ValidityGet_Private(Fields fields, Validity *validity)
 {
   const VI  vi = fields->vi;
-  Largest   largest[VALIDITY_COUNT];
+  Largest   largest[VALIDITY_COUNT], left;
   PetscReal sliding = 0, strain = 0;
+  GapErrors errors;
   Validity  v;
 
   PetscFunctionBeginUser;
@@ -94,10 +95,17 @@ static PetscErrorCode ValidityGet_Private(Fields fields, Validity *validity)
   PetscCall(PetscNew(&v));
   for (PetscInt k = 0; k < VALIDITY_COUNT; k++) largest[k] = (Largest){.value = -1};
   PetscCall(ValidityCellsMeasure(fields, largest, &strain));
+  PetscCall(GapErrorsCreate(fields, &errors));
   for (PetscInt p = 0; p < vi->num_pairs; p++) {
-    if (vi->pairs[p]->num_multipliers) PetscCall(ValidityPairMeasure(fields, p, strain, largest, &sliding));
+    if (vi->pairs[p]->num_multipliers) PetscCall(ValidityPairMeasure(fields, p, strain, largest, &sliding, &errors));
   }
   PetscCall(LargestReduce(vi->level->comm, vi->level->dim, VALIDITY_COUNT - VALIDITY_GAP, &largest[VALIDITY_GAP]));
+  if (largest[VALIDITY_GAP].value > VALIDITY_GREEN_GAP) {
+    PetscCall(GapErrorsFollow(fields, &errors, &left));
+    if (left.value < 0) largest[VALIDITY_GAP].value = 0; // no contact, and none by the errors
+    if (left.value >= 0 && left.value < largest[VALIDITY_GAP].value) largest[VALIDITY_GAP] = left;
+  }
+  PetscCall(GapErrorsDestroy(&errors));
   ValidityJudge_Private(vi->level->dim, largest, v);
   PetscCall(ValiditySetFriction_Private(fields, sliding, v));
   PetscCall(ValiditySetHomogeneous_Private(fields, v));

@@ -2,7 +2,7 @@
 #ifndef MORTISE_VALIDITYIMPL_H
 #define MORTISE_VALIDITYIMPL_H
 
-#include "result/largest.h"
+#include "checks/gaperrors.h"
 #include "checks/validity.h"
 
 /* Errors of gaps below this part of their scale, and of strains, are green. */
@@ -14,8 +14,9 @@ PetscErrorCode ValidityCellsMeasure(Fields fields, Largest largest[VALIDITY_COUN
 
 /* Measures gaps, slips and normals of pair p. Collective.
    [in] strain - of ValidityCellsMeasure(); [in,out] largest - by kind: of all pairs so far, of this rank;
-   [in,out] sliding - sum of p W |slip| where the pair has no friction, a work, of this rank */
+   [in,out] sliding - sum of p W |slip| where the pair has no friction, a work, of this rank;
+   [in,out] errors - of gaps, of all pairs so far */
 PetscErrorCode ValidityPairMeasure(Fields fields, PetscInt p, PetscReal strain, Largest largest[VALIDITY_COUNT],
-                                   PetscReal *sliding);
+                                   PetscReal *sliding, GapErrors *errors);
 
 #endif

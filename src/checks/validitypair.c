@@ -199,7 +199,7 @@ static PetscErrorCode PairStateOmitLinear_Private(Fields fields, const Pair pair
 }
 
 PetscErrorCode ValidityPairMeasure(Fields fields, PetscInt p, PetscReal strain, Largest largest[VALIDITY_COUNT],
-                                   PetscReal *sliding)
+                                   PetscReal *sliding, GapErrors *errors)
 {
   const Pair     pair = fields->vi->pairs[p];
   const PetscInt dim  = pair->level->dim;
@@ -214,6 +214,7 @@ PetscErrorCode ValidityPairMeasure(Fields fields, PetscInt p, PetscReal strain, 
   PetscCall(PairStateSetScale_Private(fields, pair, strain, &state));
   PetscCall(PairStateMeasureGaps_Private(fields, pair, &state));
   PetscCall(PairStateOmitLinear_Private(fields, pair, &state));
+  PetscCall(GapErrorsAdd(fields, p, &patches, state.error, state.scale, errors));
   for (PetscInt a = 0; a < pair->num; a++) {
     const PetscReal *x    = &pair->level->coords[pair->nodes[a] * dim];
     const PetscReal  slip = VectorNorm(dim, &state.tangential[a * dim]);
