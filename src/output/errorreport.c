@@ -2,7 +2,6 @@
 #include "output/errorreport.h"
 #include "base/compat.h"
 #include "base/json.h"
-#include "result/calibration.h"
 #include "result/estimate.h"
 #include <stdio.h>
 #include <string.h>
@@ -36,7 +35,7 @@ PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
   theta = error = relative = (PetscReal)NAN;
   if (in->fields && (!in->passing || in->fields->estimate)) {
     PetscCall(EstimateGet(in->fields, &estimate));
-    PetscCall(CalibrationGetStandard(in->vi->level, &theta));
+    theta    = estimate->standard;
     error    = EstimateGetError(estimate, theta);
     relative = EstimateGetRelative(estimate, theta);
   }
@@ -54,7 +53,7 @@ PetscErrorCode ErrorReportAdd(const SummaryInput *in, cJSON *root)
 PetscErrorCode ErrorReportPrint(const SummaryInput *in)
 {
   const MPI_Comm comm = in->scene->comm;
-  PetscReal      relative, theta;
+  PetscReal      relative;
   int            meshes;
   char           part[PART_TEXT];
   Estimate       estimate;
@@ -69,8 +68,7 @@ PetscErrorCode ErrorReportPrint(const SummaryInput *in)
     PetscFunctionReturn(PETSC_SUCCESS);
   }
   PetscCall(EstimateGet(in->fields, &estimate));
-  PetscCall(CalibrationGetStandard(in->vi->level, &theta));
-  relative = EstimateGetRelative(estimate, theta);
+  relative = EstimateGetRelative(estimate, estimate->standard);
   ErrorReportPart_Private(relative, part, sizeof(part));
   PetscCall(PetscPrintf(
       comm, "  estimated error: %s in the energy norm; one mesh gives no error bars, -adapt and -study do\n", part));

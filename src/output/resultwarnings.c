@@ -3,7 +3,6 @@
 #include "base/compat.h"
 #include "output/summary.h"
 #include "base/warning.h"
-#include "result/calibration.h"
 #include "checks/coarsecontact.h"
 #include "result/estimate.h"
 #include "result/frictionfields.h"
@@ -346,14 +345,13 @@ static PetscErrorCode SummaryWarnLargeError_Private(const SummaryInput *in)
 {
   const Warning   coarse = {.code = "coarse_mesh", .advice = "refine, or use -adapt"};
   const PetscReal scale  = in->vi->stiffness * PetscSqr(in->fields->u_ref) * (PetscReal)in->vi->level->num_global;
-  PetscReal       relative, theta;
+  PetscReal       relative;
   Estimate        estimate;
 
   PetscFunctionBeginUser;
   if (in->estimate || (in->passing && !in->fields->estimate)) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(EstimateGet(in->fields, &estimate));
-  PetscCall(CalibrationGetStandard(in->vi->level, &theta));
-  relative = EstimateGetRelative(estimate, theta);
+  relative = EstimateGetRelative(estimate, estimate->standard);
   if (!(relative >= AS_LARGE) || estimate->norm <= STRAINED * scale) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(WarningAdd(
       &coarse, "the mesh is too coarse: in the energy norm the error is estimated to be as large as the solution"));

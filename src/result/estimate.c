@@ -4,6 +4,7 @@
    is the error's, nearly (Zienkiewicz & Zhu 1992). The terms of contact are in estimatepairs.c. */
 #include "base/compat.h"
 #include "problem/elasticity.h"
+#include "result/calibration.h"
 #include "result/compliance.h"
 #include "result/estimate.h"
 #include "result/estimatepairs.h"
@@ -104,14 +105,22 @@ static PetscErrorCode EstimateAddCells_Private(Fields fields, Compliance *compli
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* This rank's part. [in] surplus - [num_cells] */
-static void EstimateSetAged_Private(const Level *level, const PetscReal surplus[], Estimate e)
+/* This rank's part, and the standard of all ranks. Collective. [in] surplus - [num_cells] */
+static PetscErrorCode EstimateSetAged_Private(const Level *level, const PetscReal surplus[], Estimate e)
 {
+  PetscReal *squared;
+
+  PetscFunctionBeginUser;
+  PetscCall(PetscMalloc1(level->num_cells, &squared));
   for (PetscInt c = 0; c < level->num_cells; c++) {
     const PetscInt age = level->cell_age ? level->cell_age[c] : 0;
 
-    if (age != NOT_BISECTED) e->aged[age] += e->cell[c] - surplus[c];
+    squared[c] = e->cell[c] - surplus[c];
+    if (age != NOT_BISECTED) e->aged[age] += squared[c];
   }
+  PetscCall(CalibrationGetStandard(level, squared, &e->standard));
+  PetscCall(PetscFree(squared));
+  PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 /* All but norm and potential. [in] frozen - or NULL */
@@ -133,7 +142,7 @@ static PetscErrorCode EstimateCreate_Private(Fields fields, const EstimateFrozen
   PetscCall(EstimatePairsAdd(fields, frozen, &compliance, e->cell, surplus, &e->signs, e->hidden));
   PetscCall(LargestReduce(level->comm, level->dim, fields->vi->num_pairs, e->hidden));
   if (!frozen) PetscCall(OscillationAdd(fields, &compliance, e->cell, &e->supports));
-  EstimateSetAged_Private(level, surplus, e);
+  PetscCall(EstimateSetAged_Private(level, surplus, e));
   if (!frozen) PetscCall(GeometryAdd(fields, &compliance, e->cell, &e->geometry, &e->signs));
   PetscCall(ComplianceDestroy(&compliance));
   for (PetscInt c = 0; c < level->num_cells; c++) e->body[level->cell_body[c]] += e->cell[c];

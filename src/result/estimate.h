@@ -18,6 +18,7 @@ struct _n_Estimate {
   PetscReal *body;     /* sums over the cells of each body, the same on all ranks [num_bodies] */
   PetscReal  squared;  /* eta^2: their sum, less what lambda adds to it */
   PetscReal  geometry; /* the part of GeometryAdd(): it needs no calibration */
+  PetscReal  standard; /* theta of this mesh alone */
   PetscReal *aged;     /* parts of the rest: cells of each Level.cell_age; the same on all ranks [MESH_MAX_ADAPTED] */
   PetscReal  signs;    /* L = -2 int lambda . d - 2 int W s + supports + lost:  2 (J_h - J) = |e|^2 + L */
   PetscReal  lost; /* -2 int p* (div u - theta) with the mean stress p*: what u changes its volume by beside theta */

@@ -117,12 +117,10 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
   NodalStressArrays  stress;
   const PetscScalar *a;
   Quadratic          quadratic;
-  PetscReal          standard;
 
   PetscFunctionBeginUser;
   for (PetscInt b = 0; b < scene->num_bodies; b++) any = (PetscBool)(any || scene->bodies[b].order == 2);
   if (!any) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(CalibrationGetStandard(level, &standard));
   PetscCall(NodalStressGetArrays(&fields->stress, &stress));
   PetscCall(StressCreateSlopes(level, &stress, volume, &slopes));
   PetscCall(NodalStressRestoreArrays(&fields->stress, &stress));
@@ -139,7 +137,7 @@ PetscErrorCode UnseenStressTake(Fields fields, const ElementRule rules[], Compli
       PetscCall(UnseenStressOfSimplex_Private(level, rule, &quadratic, compliance, &squared));
     } else {
       PetscCall(UnseenStressOfBrick_Private(level, c, rule, &quadratic.stress, compliance, &squared));
-      squared *= volume[c] / PetscSqr(standard); // the mean is that of the error itself
+      squared *= volume[c] / PetscSqr(CalibrationOfStraight(level->dim)); // the mean is that of the error itself
     }
     cell[c] = PetscMax(cell[c], squared);
   }

@@ -43,21 +43,20 @@ static PetscReal SolvedMeshGetExcess_Private(const SolvedMesh *mesh)
 static PetscErrorCode MeshHistoryCalibrate_Private(MeshHistory *history, const Level *level, const Estimate estimate)
 {
   CalibrationMesh *meshes;
-  PetscReal        standard;
 
   PetscFunctionBeginUser;
-  PetscCall(CalibrationGetStandard(level, &standard));
   PetscCall(PetscMalloc1(history->num, &meshes));
   for (PetscInt k = 0; k < history->num; k++) {
     const SolvedMesh *mesh = &history->mesh[k];
 
     meshes[k] = (CalibrationMesh){.squared  = PetscSqr(mesh->eta) - mesh->geometry,
                                   .energy   = SolvedMeshGetEnergy(mesh),
+                                  .signs    = mesh->signs,
                                   .lost     = mesh->lost,
                                   .supports = mesh->supports};
   }
   history->mesh[history->num - 1].theta =
-      SceneHasFriction(level->scene) ? standard : CalibrationFind(history->num, meshes, standard, estimate);
+      SceneHasFriction(level->scene) ? estimate->standard : CalibrationFind(history->num, meshes, estimate);
   PetscCall(PetscFree(meshes));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -1,7 +1,6 @@
 /* studyrecords.c -- records of the runs of a study. */
 #include <math.h>
 #include "base/compat.h"
-#include "result/calibration.h"
 #include "result/errors.h"
 #include "result/estimate.h"
 #include "base/memory.h"
@@ -286,8 +285,7 @@ PetscErrorCode RecordRun(Study study, Run run, Record *record)
 
     PetscCall(RecordValues_Private(study, run, record->values));
     PetscCall(EstimateGet(run->fields, &estimate));
-    PetscCall(CalibrationGetStandard(run->vi->level, &record->estimate));
-    record->estimate = EstimateGetError(estimate, record->estimate);
+    record->estimate = EstimateGetError(estimate, estimate->standard);
   }
   if (run->errors.any) RecordErrors_Private(study, &run->errors, record->errors);
   PetscFunctionReturn(PETSC_SUCCESS);
