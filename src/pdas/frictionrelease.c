@@ -11,6 +11,8 @@
 
 /* Largest number of steps without friction. */
 enum { RELEASED_STEPS = 8 };
+/* Gaps below this part of the largest value are closed. */
+static const PetscReal TOUCHES = 1e-10;
 
 /* The active set method, from the initial set. [in,out] y - initial guess, solution */
 static PetscErrorCode FrictionReleaseSets_Private(SNES snes, FrictionMethod method, Vec y)
@@ -30,6 +32,21 @@ static PetscErrorCode FrictionReleaseSets_Private(SNES snes, FrictionMethod meth
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* The first decisions: closed is what touches. Forces at the begin of a load step tell less, and so do those
+   beside nodes that stick. */
+static void FrictionReleaseTouch_Private(FrictionUnits *units)
+{
+  PetscReal largest = 0;
+
+  FrictionUnitsForget(units);
+  for (PetscInt i = 0; i < units->n; i++) largest = PetscMax(largest, PetscAbsReal(units->y[i]));
+  for (PetscInt a = 0; a < units->num; a++) {
+    FrictionUnit *unit = &units->unit[a];
+
+    unit->closed = (PetscBool)(units->y[unit->normal] >= unit->upper - TOUCHES * largest);
+  }
+}
+
 /* Steps of the dense system, before which sweeps find what is closed. [in,out] y - initial guess, solution */
 static PetscErrorCode FrictionReleaseSteps_Private(SNES snes, FrictionMethod method, Vec y)
 {
@@ -40,9 +57,10 @@ static PetscErrorCode FrictionReleaseSteps_Private(SNES snes, FrictionMethod met
   PetscCall(PetscMalloc1(units->num, &law));
   PetscCall(PetscArraycpy(law, units->unit, units->num));
   for (PetscInt a = 0; a < units->num; a++) units->unit[a].coefficient = units->unit[a].bound = 0;
-  FrictionUnitsForget(units);
   PetscCall((*method->set)(method, y));
-  method->grows = PETSC_TRUE;
+  FrictionReleaseTouch_Private(units);
+  method->decided = PETSC_TRUE;
+  method->grows   = PETSC_TRUE;
   PetscCall(FrictionIterationNewton(snes, method, y, PETSC_FALSE));
   method->grows = PETSC_FALSE;
   PetscCall((*method->get)(method, y));
