@@ -13,6 +13,7 @@
 #include "checks/coarsecontact.h"
 #include "checks/contactpatches.h"
 #include "level/ghosted.h"
+#include "result/largest.h"
 #include "result/pairsum.h"
 #include "result/sidecorners.h"
 #include "side/sidemeasure.h"
@@ -238,11 +239,36 @@ static PetscErrorCode CoarseContactGoesOn_Private(const VI vi, const ScenePair *
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* A place of a patch: its centre, or that of the largest pressure where it is bent and has none. Collective.
+   [in] i - of the patch; [out] at - roundoff is 0 */
+static PetscErrorCode CoarseContactGetPlace_Private(Fields fields, PetscInt p, const ContactPatches *patches,
+                                                    PetscInt i, PetscReal at[])
+{
+  const VI            vi      = fields->vi;
+  const PetscInt      dim     = vi->level->dim;
+  const ContactPatch *patch   = &patches->patch[i];
+  Largest             largest = {.value = -1};
+  const PetscReal    *lambda;
+
+  PetscFunctionBeginUser;
+  for (PetscInt k = 0; k < dim; k++) largest.at[k] = patch->centre[k];
+  if (patch->bent) {
+    PetscCall(VecGetArrayRead(fields->lambda, &lambda));
+    for (PetscInt r = 0; r < vi->num_rows; r++)
+      if (patches->row_patch[r] == i)
+        LargestTake(&largest, lambda[r], dim, &vi->level->coords[vi->pairs[p]->nodes[vi->row_node[r]] * dim], p);
+    PetscCall(VecRestoreArrayRead(fields->lambda, &lambda));
+    PetscCall(LargestReduce(vi->level->comm, dim, 1, &largest));
+  }
+  for (PetscInt k = 0; k < 3; k++)
+    at[k] = PetscAbsReal(largest.at[k]) > PETSC_SQRT_MACHINE_EPSILON * patch->across ? largest.at[k] : 0;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found)
 {
-  const PetscInt      dim    = fields->vi->level->dim;
-  const SceneBody    *body   = &fields->vi->scene->bodies[fields->vi->pairs[p]->spec->nonmortar.body];
-  const PetscInt      across = dim - 2, order = body->order;
+  const SceneBody    *body     = &fields->vi->scene->bodies[fields->vi->pairs[p]->spec->nonmortar.body];
+  const PetscInt      order    = body->order;
   const PetscReal     roundoff = FORCE_ROUNDING * fields->vi->stiffness * fields->u_ref;
   PetscInt            at       = 0;
   ContactPatches      patches;
@@ -263,16 +289,14 @@ PetscErrorCode CoarseContactFind(Fields fields, PetscInt p, CoarseContact *found
     PetscCall(CoarseContactGetEnds_Private(fields, p, marks, patch, ends));
     if (order == 1 && patch->nodes == 1) PetscCall(CoarseContactGetDoubt_Private(fields, p, marks, &found->doubt));
     PetscCall(VecDestroy(&marks));
-    twice         = ends[IS_MIRRORED] > 0 ? 2 : 1;
+    twice         = ends[IS_MIRRORED] > 0 && !patch->bent ? 2 : 1;
     found->facets = twice * patch->facets;
     found->edge   = (PetscBool)(ends[IS_EDGE] > 0 || ends[IS_PARTNERS] > 0);
-    found->size   = twice * patch->extent[across] / (2 * ADVISED);
+    found->size   = twice * patch->across / (2 * ADVISED);
     if (ends[IS_EDGE] > 0 && !(ends[IS_PARTNERS] > 0))
       PetscCall(CoarseContactGoesOn_Private(fields->vi, fields->vi->pairs[p]->spec, ends[ANGLE], &goes_on));
     found->shows = (PetscBool)((ends[IS_INNER] > 0 || goes_on) && found->facets * order <= FEW);
-    for (PetscInt k = 0; k < 3; k++) // roundoff becomes 0
-      found->at[k] =
-          PetscAbsReal(patch->centre[k]) > PETSC_SQRT_MACHINE_EPSILON * patch->extent[across] ? patch->centre[k] : 0;
+    PetscCall(CoarseContactGetPlace_Private(fields, p, &patches, at, found->at));
   }
   PetscCall(ContactPatchesDestroy(&patches));
   PetscFunctionReturn(PETSC_SUCCESS);

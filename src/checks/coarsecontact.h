@@ -11,7 +11,7 @@ typedef struct {
   PetscReal facets; /* its width in facets of the nonmortar side; at a plane of symmetry, of both halves */
   PetscReal size;   /* length of facets that would resolve it, as far as its width is known */
   PetscReal doubt;  /* how much too early or too late one node of order 1 may touch; 0 beside large displacements */
-  PetscReal at[3];  /* its centre */
+  PetscReal at[3];  /* its centre; of a bent strip the place of the largest pressure */
 } CoarseContact;
 
 /* Judges the patch of pair p. Contact that ends where both sides end is not coarse, nor is a tie.

@@ -19,6 +19,9 @@ enum { SIZE_DEGREE = 2 }; /* of the quadrature of a facet's area, which weighs i
 static const PetscReal ROUND = 0.01;
 /* The width of an ellipse over the root of the second moment of its area, per area. */
 static const PetscReal ELLIPSE_WIDTH = 4;
+/* A patch in space is a bent strip if it fills less than this part of the ellipse with the same second
+   moments. A rectangle fills 0.95 of it, a ring of radii r < R fills (R^2 - r^2) / (R^2 + r^2). */
+static const PetscReal BENT_FILL = 0.5;
 /* Forces, or places, that differ by less than this part come in the same order on any number of ranks. */
 static const PetscReal SAME_PATCH = 1e-9;
 
@@ -30,7 +33,7 @@ enum { ROW_NODES, ROW_AREA, ROW_NORMAL, ROW_FORCE, ROW_CENTRE = ROW_FORCE + 3, R
 enum { POINT_SIZE, POINT_FIRST, POINT_SECOND = POINT_FIRST + 3, POINT_SUMS = POINT_SECOND + 9 };
 /* Ranges along two axes are maxima; facets and their sizes along these axes are sums. */
 enum { RANGE_UPPER, RANGE_LOWER = RANGE_UPPER + 2, RANGES = RANGE_LOWER + 2 };
-enum { FACET_SHARE, FACET_COUNT, FACET_LENGTH, FACET_SUMS = FACET_LENGTH + 2 };
+enum { FACET_SHARE, FACET_COUNT, FACET_SHORTEST, FACET_LENGTH, FACET_SUMS = FACET_LENGTH + 2 };
 
 /* Nodes of a side in contact under collection. */
 typedef struct {
@@ -332,6 +335,7 @@ static void PatchSetAxes_Private(PetscInt dim, const PetscReal sums[], ContactPa
   }
   first        = values[order[0]];
   second       = values[order[1]];
+  patch->bent  = (PetscBool)(dim == 3 && patch->area < BENT_FILL * 4 * PETSC_PI * PetscSqrtReal(first * second));
   patch->width = 0;
   if (dim == 3 && first - second < ROUND * first) { /* any axis across the third: the one nearest to a coordinate's */
     PetscReal      n[3], dot;
@@ -428,6 +432,8 @@ static void PatchMeasureFacet_Private(const PatchNodes *nodes, PetscInt f, Petsc
     }
     sums[FACET_LENGTH + a] += upper - lower;
   }
+  VectorGather(dim, n, &nodes->facets.nodes[f * F], level->coords, q);
+  sums[FACET_SHORTEST] += ElementShortestEdge(ElementLinear(nodes->facets.type[f]), dim, q);
   sums[FACET_COUNT] += 1;
 }
 
@@ -437,6 +443,23 @@ static void PatchSwap_Private(PetscReal *a, PetscReal *b)
 
   *a = *b;
   *b = swap;
+}
+
+/* The width in facets. The length of a strip that is bent to at most half a circle is nearly a diagonal: that
+   of its first extent and twice its second one. Facets lie along it or across it: their shortest edges
+   count.
+   [in] sums - FACET_SUMS; [in,out] patch - with its extents */
+static void PatchSetAcross_Private(PetscInt dim, const PetscReal sums[], ContactPatch *patch)
+{
+  const PetscReal *lengths = &sums[FACET_LENGTH];
+
+  patch->across     = patch->extent[dim - 2];
+  patch->facet_size = lengths[dim - 2] / sums[FACET_COUNT];
+  if (patch->bent) {
+    patch->across     = patch->area / PetscSqrtReal(PetscSqr(patch->extent[0]) + PetscSqr(2 * patch->extent[1]));
+    patch->facet_size = sums[FACET_SHORTEST] / sums[FACET_COUNT];
+  }
+  patch->facets = dim == 2 ? sums[FACET_SHARE] : patch->across / patch->facet_size;
 }
 
 /* Extents along the axes, and the width in facets. In a plane these are counted, since a patch may go round a
@@ -467,7 +490,6 @@ static PetscErrorCode PatchMeasure_Private(const PatchNodes *nodes, ContactPatch
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, sums, (PetscMPIInt)(patches->num * FACET_SUMS), MPIU_REAL, MPI_SUM, comm));
   for (PetscInt i = 0; i < patches->num; i++) {
     ContactPatch *patch = &patches->patch[i];
-    PetscInt      narrow;
 
     for (PetscInt a = 0; a < dim - 1; a++)
       patch->extent[a] = range[i * RANGES + RANGE_UPPER + a] + range[i * RANGES + RANGE_LOWER + a];
@@ -476,10 +498,8 @@ static PetscErrorCode PatchMeasure_Private(const PatchNodes *nodes, ContactPatch
       PatchSwap_Private(&patch->extent[0], &patch->extent[1]);
       PatchSwap_Private(&sums[i * FACET_SUMS + FACET_LENGTH], &sums[i * FACET_SUMS + FACET_LENGTH + 1]);
     }
-    narrow = dim - 2;
-    if (patch->width == 0) patch->width = patch->extent[narrow];
-    patch->facet_size = sums[i * FACET_SUMS + FACET_LENGTH + narrow] / sums[i * FACET_SUMS + FACET_COUNT];
-    patch->facets     = dim == 2 ? sums[i * FACET_SUMS + FACET_SHARE] : patch->extent[1] / patch->facet_size;
+    if (patch->width == 0) patch->width = patch->extent[dim - 2];
+    PatchSetAcross_Private(dim, &sums[i * FACET_SUMS], patch);
   }
   PetscCall(PetscFree2(range, sums));
   PetscFunctionReturn(PETSC_SUCCESS);

@@ -20,8 +20,10 @@ typedef struct {
   PetscReal extent[2], axis[2][3]; /* length along the principal axes of the area, the longer first; in a plane one */
   PetscReal width;  /* the shorter extent; of nearly circular patches that of the ellipse with the same second moments,
                       which turns with the scene */
-  PetscReal facets; /* width: facets of the nonmortar side across the shorter extent */
-  PetscReal facet_size; /* mean length of one of these facets along it */
+  PetscReal across; /* the shorter extent; of a bent strip in space, such as a ring, its width */
+  PetscBool bent;   /* whether it is such a strip */
+  PetscReal facets; /* width: facets of the nonmortar side across */
+  PetscReal facet_size; /* mean length of one of these facets */
 } ContactPatch;
 
 /* Patches of one pair, by falling normal force; equal ones by their centres. */

@@ -259,6 +259,8 @@ PetscErrorCode FacetIntegralCompute(const FacetPartner *partner, const ClipFacet
   PetscCall(SmoothGapApply(partner, facet, rises, list, &curve));
   FacetIntegralWeighPoints_Private(partner, facet, list);
   PetscCall(FacetIntegralSumPoints_Private(partner, facet, rises, list, integral));
+  if (integral->cover >= (1 - LITTLE) * integral->measure)
+    integral->least_gap = PetscMin(integral->least_gap, LeastGapAtVertices(facet, list));
   integral->least_gap -= curve;
   integral->fully_covered = (PetscBool)(integral->cover >= (1 - NOTHING) * integral->measure);
   integral->partly_covered =

@@ -9,5 +9,9 @@
    [in] list - points of the facet, with gaps */
 PetscErrorCode LeastGapAtEdge(const FacetPartner *partner, const ClipFacet *facet, const OverlapPoints *list,
                               PetscReal *least);
+/* A bound on the least gap at the vertices of a facet, from above: points of quadrature lie within. It is the
+   least gap where gaps are linear, and far above it where they are not. Not collective.
+   [in] list - points of a facet that is covered wholly, with gaps */
+PetscReal LeastGapAtVertices(const ClipFacet *facet, const OverlapPoints *list);
 
 #endif

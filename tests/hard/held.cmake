@@ -11,6 +11,7 @@ mortise_scene_test(pieces CHECK pieces.py RANKS 1 LONG_RANKS 3 ARGS -cross_check
 mortise_scene_test(beyond_small SCENE patch2d CHECK beyond_small.py RANKS 1 3)
 mortise_scene_test(dragged_foot CHECK dragged_foot.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(sinking_roller CHECK sinking_roller.py RANKS 1 LONG_RANKS 3)
+mortise_scene_test(washer CHECK washer.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(pushed_apart CHECK pushed_apart.py RANKS 1 3)
 mortise_scene_test(false_overlap SCENE chamfer CHECK false_overlap.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(stiff_nonmortar CHECK stiff_nonmortar.py RANKS 1 LONG_RANKS 3)
