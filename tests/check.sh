@@ -20,7 +20,10 @@ tests=$((5 * jobs)) # side by side: one that runs on several ranks counts as man
 
 # What makes building faster, where it is there: every unit test is linked with the objects of its layers.
 faster="" linker=""
-if command -v ccache >/dev/null; then faster="-DCMAKE_C_COMPILER_LAUNCHER=ccache"; fi
+if command -v ccache >/dev/null; then
+  faster="-DCMAKE_C_COMPILER_LAUNCHER=ccache"
+  export CCACHE_SLOPPINESS=pch_defines,time_macros # without these it keeps nothing that is compiled with a precompiled header
+fi
 if command -v ld.gold >/dev/null; then linker="-fuse-ld=gold"; fi
 
 # build <folder> <cmake option> ...

@@ -6,6 +6,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Whether sanitizers look on: they see the same on fewer and smaller meshes, in a tenth of the time. */
+#ifdef __SANITIZE_ADDRESS__
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+
 /* Ends the test unless the condition holds. */
 #define CHECK(condition)                                                                                               \
   do {                                                                                                                 \

@@ -77,17 +77,42 @@ static void Init(TestScene *t, PetscInt dim, const char file[], const char *cons
   }
 }
 
-/* The mesh by all ranks, once refined, and by the first rank. */
-static void TestSame(PetscInt dim, const char file[], PetscInt order, const char *const regions[],
-                     const char *const sides[], const FileLimits *limits)
+/* The mesh by all ranks, once refined. [in] expected - of both levels */
+static void CheckParts(TestScene *t, const char *const sides[], const FileLimits *limits,
+                       PetscReal expected[2][NUM_SUMS])
 {
-  PetscReal      expected[2][NUM_SUMS], found[NUM_SUMS];
-  struct _n_Mesh own = {.num_levels = 1};
-  TestScene      t;
-  Mesh           mesh;
+  PetscReal      found[NUM_SUMS];
+  struct _n_Mesh own = {.scene = &t->scene, .num_levels = 1};
   Curves         curves;
   DM             dm;
   PetscBool      good;
+
+  CHECK(!FilePartsCreate(&t->scene, limits, 1, &dm, &curves, &good));
+  CHECK(good);
+  CHECK(!PetscMalloc1(1, &own.levels));
+  CHECK(!LevelCreateFromPlex(&t->scene, dm, &curves, &own.levels[0]));
+  CHECK(!LevelBeginArcs(&own.levels[0]));
+  CHECK(!MeshShapeCreate(&t->scene, &own.levels[0], &curves, &own.shape));
+  CHECK(!LevelTurnCells(&own.levels[0], NULL));
+  CHECK(!CurvesDestroy(&curves));
+  CHECK(!DMDestroy(&dm));
+  CHECK(!MeshRefine(&own));
+  for (PetscInt l = 0; l < 2; ++l) {
+    Measure(t, &own.levels[l], sides, found);
+    for (PetscInt i = 0; i < NUM_SUMS; ++i) CHECK_NEAR(found[i], expected[l][i], 1e-11);
+  }
+  for (PetscInt l = 0; l < 2; ++l) CHECK(!LevelDestroy(&own.levels[l]));
+  CHECK(!MeshShapeDestroy(&own.shape));
+  CHECK(!PetscFree(own.levels));
+}
+
+/* The mesh by the first rank, and by all, which part it themselves or have the first rank part it. */
+static void TestSame(PetscInt dim, const char file[], PetscInt order, const char *const regions[],
+                     const char *const sides[])
+{
+  PetscReal expected[2][NUM_SUMS];
+  TestScene t;
+  Mesh      mesh;
 
   Init(&t, dim, file, regions, sides);
   for (PetscInt b = 0; b < t.scene.num_bodies; ++b) t.bodies[b].order = order;
@@ -95,25 +120,8 @@ static void TestSame(PetscInt dim, const char file[], PetscInt order, const char
   mesh           = TestSceneMesh(&t);
   for (PetscInt l = 0; l < 2; ++l) Measure(&t, &mesh->levels[l], sides, expected[l]);
   CHECK(!MeshDestroy(&mesh));
-
-  CHECK(!FilePartsCreate(&t.scene, limits, 1, &dm, &curves, &good));
-  CHECK(good);
-  own.scene = &t.scene;
-  CHECK(!PetscMalloc1(1, &own.levels));
-  CHECK(!LevelCreateFromPlex(&t.scene, dm, &curves, &own.levels[0]));
-  CHECK(!LevelBeginArcs(&own.levels[0]));
-  CHECK(!MeshShapeCreate(&t.scene, &own.levels[0], &curves, &own.shape));
-  CHECK(!LevelTurnCells(&own.levels[0], NULL));
-  CHECK(!CurvesDestroy(&curves));
-  CHECK(!DMDestroy(&dm));
-  CHECK(!MeshRefine(&own));
-  for (PetscInt l = 0; l < 2; ++l) {
-    Measure(&t, &own.levels[l], sides, found);
-    for (PetscInt i = 0; i < NUM_SUMS; ++i) CHECK_NEAR(found[i], expected[l][i], 1e-11);
-  }
-  for (PetscInt l = 0; l < 2; ++l) CHECK(!LevelDestroy(&own.levels[l]));
-  CHECK(!MeshShapeDestroy(&own.shape));
-  CHECK(!PetscFree(own.levels));
+  CheckParts(&t, sides, &(FileLimits){1, PETSC_MAX_INT}, expected);
+  CheckParts(&t, sides, &(FileLimits){1, 1}, expected);
   TestSceneFree(&t);
 }
 
@@ -134,7 +142,7 @@ static void TestLeft(PetscInt dim, const char file[], const char *const regions[
 
 #define LIST(...) ((const char *const[]){__VA_ARGS__, NULL})
 
-static void TestFiles(const FileLimits *limits)
+static void TestFiles(void)
 {
   static const char *const discs[] = {MESHES "/disc_22.msh", MESHES "/disc_22_bin.msh", MESHES "/disc_41.msh",
                                       MESHES "/disc_41_bin.msh", MESHES "/disc_quad8.msh"};
@@ -143,16 +151,16 @@ static void TestFiles(const FileLimits *limits)
 
   for (PetscInt order = 1; order <= 2; ++order) {
     for (size_t f = 0; f < sizeof(discs) / sizeof(discs[0]); ++f) {
-      TestSame(2, discs[f], order, NULL, LIST("rim"), limits);
-      TestSame(2, discs[f], order, LIST("upper", "2"), LIST("rim", "middle"), limits);
+      TestSame(2, discs[f], order, NULL, LIST("rim"));
+      TestSame(2, discs[f], order, LIST("upper", "2"), LIST("rim", "middle"));
     }
     for (size_t f = 0; f < sizeof(drums) / sizeof(drums[0]); ++f) {
-      TestSame(3, drums[f], order, NULL, LIST("rim", "bottom", "top"), limits);
-      TestSame(3, drums[f], order, LIST("upper", "lower"), LIST("rim", "middle", "5"), limits);
+      TestSame(3, drums[f], order, NULL, LIST("rim", "bottom", "top"));
+      TestSame(3, drums[f], order, LIST("upper", "lower"), LIST("rim", "middle", "5"));
     }
-    TestSame(2, MESHES "/two_groups_41.msh", order, NULL, LIST("foot", "left foot"), limits);
-    TestSame(2, MESHES "/two_groups_22.msh", order, LIST("left half"), LIST("left foot"), limits);
-    TestSame(2, MESHES "/clockwise.msh", order, NULL, LIST("3"), limits);
+    TestSame(2, MESHES "/two_groups_41.msh", order, NULL, LIST("foot", "left foot"));
+    TestSame(2, MESHES "/two_groups_22.msh", order, LIST("left half"), LIST("left foot"));
+    TestSame(2, MESHES "/clockwise.msh", order, NULL, LIST("3"));
   }
 }
 
@@ -160,8 +168,7 @@ int main(int argc, char **argv)
 {
   CHECK(!PetscInitialize(&argc, &argv, NULL, NULL));
   CHECK(!UserErrorInitialize());
-  TestFiles(&(FileLimits){1, PETSC_MAX_INT});
-  TestFiles(&(FileLimits){1, 1});                                             // parted by all ranks
+  TestFiles();
   TestLeft(2, MESHES "/disc_41.msh", NULL, LIST("middle"), 1);                // inside the body
   TestLeft(2, MESHES "/disc_41.msh", NULL, LIST("rims"), 1);                  // no such side
   TestLeft(2, MESHES "/disc_41.msh", LIST("left"), LIST("rim"), 1);           // no such region

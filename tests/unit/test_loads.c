@@ -300,21 +300,14 @@ static void TestBallInCurves(void)
   TestSceneFree(&t);
 }
 
-/* The sanitizers make each case thirty times as long, and several ranks thrice. They see the same code in some. */
-#ifdef __SANITIZE_ADDRESS__
-static const size_t SANITIZED = 7;
-#else
-static const size_t SANITIZED = 0;
-#endif
-
+/* Sanitizers make each case thirty times as long, and several ranks thrice. */
 int main(int argc, char **argv)
 {
   PetscMPIInt size;
 
   PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &size));
-  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(CASES); i += SANITIZED ? SANITIZED : size > 1 ? 3 : 1)
-    CheckCase(&CASES[i]);
+  for (size_t i = 0; i < PETSC_STATIC_ARRAY_LENGTH(CASES); i += SANITIZED ? 7 : size > 1 ? 3 : 1) CheckCase(&CASES[i]);
   TestPressureOnCurve();
   if (!SANITIZED) TestBallInCurves();
   TestMoment(PETSC_FALSE);
