@@ -124,7 +124,7 @@ static const Case CASES[] = {
      1,
      0.343 * PETSC_PI *PETSC_PI / 32.},
     {3,
-     {2, 2, 2},
+     {1, 1, 1},
      2,
      PETSC_TRUE,
      MODEL_SOLID,
@@ -280,7 +280,7 @@ static void TestPressureOnCurve(void)
   TestSceneFree(&t);
 }
 
-/* A ball inside tetrahedra of order 2 with curved sides, whose map keeps volumes. */
+/* A quarter of a ball, around an edge, inside tetrahedra of order 2 with curved sides, whose map keeps volumes. */
 static void TestBallInCurves(void)
 {
   const PetscReal lower[3] = {0, 0, 0}, upper[3] = {1, 1, 1};
@@ -293,9 +293,9 @@ static void TestBallInCurves(void)
   body->order   = 2;
   body->simplex = PETSC_TRUE;
   CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-map", "x, y, z+0.2*x*y", 3, PETSC_FALSE, &body->map));
-  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", "0, 0, (x-.5)^2+(y-.5)^2+(z-.55)^2<.09 ? 1 : 0", 3, PETSC_FALSE,
+  CHECK(!ExpressionCreate(PETSC_COMM_WORLD, "-force", "0, 0, x^2+y^2+(z-.5)^2<.09 ? 1 : 0", 3, PETSC_FALSE,
                           &body->material.body_force));
-  CHECK_NEAR(TotalLoad(&t, 2), 0.036 * PETSC_PI, PROMISED * 0.036 * PETSC_PI);
+  CHECK_NEAR(TotalLoad(&t, 2), 0.009 * PETSC_PI, PROMISED * 0.009 * PETSC_PI);
   CHECK(!ExpressionDestroy(&body->material.body_force));
   TestSceneFree(&t);
 }
