@@ -14,6 +14,7 @@
    threshold. */
 #include "base/compat.h"
 #include "base/csrmatrix.h"
+#include "base/gather.h"
 #include "kernel/dense.h"
 #include "multigrid/blocksmoother.h"
 #include "multigrid/graphcomponents.h"
@@ -267,19 +268,14 @@ static PetscErrorCode BlockSmootherAcceptBlocks_Private(Stencil *stencil, GhostE
   PetscInt          *which;
   const PetscScalar *surplus;
   Vec                sum, mine;
-  IS                 is;
-  VecScatter         scatter;
 
   PetscFunctionBeginUser;
   PetscCall(VecDuplicate(ghosts->own, &sum));
   PetscCall(BlockSmootherSumThick_Private(stencil, part, sum));
   PetscCall(PetscMalloc1(ghosts->n, &which));
   for (PetscInt i = 0; i < ghosts->n; i++) which[i] = (PetscInt)part[i];
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, ghosts->n, which, PETSC_OWN_POINTER, &is));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts->n, &mine));
-  PetscCall(VecScatterCreate(sum, is, mine, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, sum, mine, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, sum, mine, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(GatherEntries(sum, ghosts->n, which, &mine));
+  PetscCall(PetscFree(which));
   PetscCall(VecGetArrayRead(mine, &surplus));
   *any = PETSC_FALSE;
   for (PetscInt i = 0; i < ghosts->n; i++) {
@@ -293,9 +289,7 @@ static PetscErrorCode BlockSmootherAcceptBlocks_Private(Stencil *stencil, GhostE
   }
   PetscCall(VecRestoreArrayRead(mine, &surplus));
   PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, any, 1, MPIU_BOOL, MPI_LOR, PetscObjectComm((PetscObject)stencil->op->K)));
-  PetscCall(VecScatterDestroy(&scatter));
   PetscCall(VecDestroy(&mine));
-  PetscCall(ISDestroy(&is));
   PetscCall(VecDestroy(&sum));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

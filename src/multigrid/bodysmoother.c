@@ -28,8 +28,8 @@
 static const PetscReal MAX_COMPLIANCE_WORK = 4e4;
 
 typedef struct {
-  Mat            inverse; /* T^-1 */
-  Mat            E;       /* T^-1 - 1, without empty rows */
+  BasisRows      inverse; /* T^-1 */
+  Mat            E;       /* T^-1 - 1: rows of nodes on contact sides or with oblique supports only */
   Vec            w;       /* D^-1, 0 where `eliminated`; without blocks */
   Mat            blocks;  /* S_u, or NULL */
   Mat            whole;   /* on several ranks whole blocks of this one; NULL on one process, as the next four */
@@ -66,7 +66,7 @@ static PetscErrorCode Destroy_BodySmoother(Mat S)
   PetscFunctionBeginUser;
   PetscCall(MatShellGetContext(S, &body));
   PetscCall(BodySmootherRelease_Private(body));
-  PetscCall(MatDestroy(&body->inverse));
+  PetscCall(BasisRowsDestroy(&body->inverse));
   PetscCall(MatDestroy(&body->E));
   PetscCall(MatDestroy(&body->blocks));
   PetscCall(MatDestroy(&body->whole));
@@ -150,43 +150,6 @@ static PetscErrorCode BodySmootherSetWeights_Private(const Operator *op, BodySmo
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* T^-1 - 1: rows of nodes on contact sides or with oblique supports only. */
-static PetscErrorCode BodySmootherCreateE_Private(Mat inverse, Mat *E)
-{
-  PetscInt begin, end, n, *own, *others;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatGetOwnershipRange(inverse, &begin, &end));
-  n = end - begin;
-  PetscCall(PetscCalloc2(n, &own, n, &others));
-  for (PetscInt pass = 0; pass < 2; pass++) { // sizes, then values
-    if (pass)
-      PetscCall(MatCreateAIJ(PetscObjectComm((PetscObject)inverse), n, n, PETSC_DETERMINE, PETSC_DETERMINE, 0, own, 0,
-                             others, E));
-    for (PetscInt row = begin; row < end; row++) {
-      PetscInt           num;
-      const PetscInt    *columns;
-      const PetscScalar *values;
-
-      PetscCall(MatGetRow(inverse, row, &num, &columns, &values));
-      if (num == 1 && columns[0] == row && values[0] == 1) num = -1;
-      for (PetscInt j = 0; j < num; j++) {
-        if (pass)
-          PetscCall(MatSetValue(*E, row, columns[j], values[j], ADD_VALUES));
-        else
-          ++(columns[j] >= begin && columns[j] < end ? own : others)[row - begin];
-      }
-      if (num >= 0 && pass) PetscCall(MatSetValue(*E, row, row, -1, ADD_VALUES));
-      if (num >= 0 && !pass) own[row - begin] = PetscMin(own[row - begin] + 1, n);
-      PetscCall(MatRestoreRow(inverse, row, NULL, &columns, &values));
-    }
-  }
-  PetscCall(MatAssemblyBegin(*E, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(*E, MAT_FINAL_ASSEMBLY));
-  PetscCall(PetscFree2(own, others));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* All but D. */
 static PetscErrorCode BodySmootherBegin_Private(const Operator *op, BodySmoother **body, Mat *inverse)
 {
@@ -196,9 +159,8 @@ static PetscErrorCode BodySmootherBegin_Private(const Operator *op, BodySmoother
   PetscFunctionBeginUser;
   PetscCall(PetscNew(body));
   b = *body;
-  PetscCall(PetscObjectReference((PetscObject)op->inverse));
-  b->inverse = op->inverse;
-  PetscCall(BodySmootherCreateE_Private(b->inverse, &b->E));
+  PetscCall(BasisRowsReference(&op->inverse, &b->inverse));
+  PetscCall(BasisRowsCreateDifference(&b->inverse, &b->E));
   PetscCall(MatCreateVecs(op->K, &b->t, &b->s));
   PetscCall(VecGetLocalSize(b->s, &n));
   PetscCall(PetscCalloc1(n, &b->eliminated));
@@ -370,8 +332,7 @@ PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fi
 {
   const MPI_Comm comm = PetscObjectComm((PetscObject)inverse);
   BodySmoother  *body;
-  IS             rows, columns;
-  PetscInt       begin, n, count = 0, total, *list;
+  PetscInt       count = 0, total, *list;
 
   PetscFunctionBeginUser;
   *done = PETSC_TRUE;
@@ -380,20 +341,15 @@ PetscErrorCode BodySmootherSetFixed(Mat inverse, PetscInt num, const PetscInt fi
   PetscCall(PetscMalloc1(num, &body->fixed));
   PetscCall(PetscArraycpy(body->fixed, fixed, num));
   body->num = num;
-  PetscCall(MatGetOwnershipRange(body->inverse, &begin, NULL));
-  PetscCall(MatGetLocalSize(body->inverse, &n, NULL));
   PetscCall(PetscMalloc1(num, &list));
   for (PetscInt i = 0; i < num; i++)
-    if (!body->eliminated[fixed[i]]) list[count++] = begin + fixed[i];
+    if (!body->eliminated[fixed[i]]) list[count++] = fixed[i];
   PetscCall(PetscSortRemoveDupsInt(&count, list));
   PetscCallMPI(MPI_Allreduce(&count, &total, 1, MPIU_INT, MPI_SUM, comm));
-  PetscCall(ISCreateGeneral(comm, count, list, PETSC_OWN_POINTER, &rows));
   if (total > 0) {
-    PetscCall(ISCreateStride(comm, n, begin, 1, &columns));
-    PetscCall(MatCreateSubMatrix(body->inverse, rows, columns, MAT_INITIAL_MATRIX, &body->X));
-    PetscCall(ISDestroy(&columns));
+    PetscCall(BasisRowsCreateSome(&body->inverse, count, list, &body->X));
     PetscCall(BodySmootherFactor_Private(body, done));
   }
-  PetscCall(ISDestroy(&rows));
+  PetscCall(PetscFree(list));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

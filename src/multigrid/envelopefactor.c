@@ -3,6 +3,7 @@
    Factors of the matrix without active unknowns are composed with it. Matrices of active sets have a
    reference to it, since PETSc gives their PC nothing but them. */
 #include "base/compat.h"
+#include "base/gather.h"
 #include "multigrid/dealtrows.h"
 #include "multigrid/envelopefactor.h"
 #include "multigrid/graphcomponents.h"
@@ -228,11 +229,11 @@ PetscErrorCode EnvelopeFactorKeepRows(Mat S, IS rows, Mat own)
 {
   PetscInt           n, num;
   PetscScalar       *label;
+  const PetscInt    *row;
   const PetscScalar *labels;
   Kept              *kept;
   Mat                base;
   Vec                all, some;
-  VecScatter         scatter;
 
   PetscFunctionBeginUser;
   PetscCall(EnvelopeFactorGetBase(S, &base));
@@ -244,14 +245,12 @@ PetscErrorCode EnvelopeFactorKeepRows(Mat S, IS rows, Mat own)
   for (PetscInt i = 0; i < n; i++) label[i] = kept->label[i / kept->bs];
   PetscCall(VecRestoreArrayWrite(all, &label));
   PetscCall(ISGetLocalSize(rows, &num));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &some));
-  PetscCall(VecScatterCreate(all, rows, some, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(ISGetIndices(rows, &row));
+  PetscCall(GatherEntries(all, num, row, &some));
+  PetscCall(ISRestoreIndices(rows, &row));
   PetscCall(VecGetArrayRead(some, &labels));
   PetscCall(EnvelopeFactorKeep(own, 1, labels));
   PetscCall(VecRestoreArrayRead(some, &labels));
-  PetscCall(VecScatterDestroy(&scatter));
   PetscCall(VecDestroy(&some));
   PetscCall(VecDestroy(&all));
   PetscFunctionReturn(PETSC_SUCCESS);

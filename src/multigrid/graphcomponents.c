@@ -3,6 +3,7 @@
    Each rank joins its own rows. Then the smallest row numbers pass from rank to rank along the cut couplings
    until none changes. */
 #include "base/compat.h"
+#include "base/gather.h"
 #include "multigrid/graphcomponents.h"
 #include "multigrid/ghostexchange.h"
 #include "kernel/disjointsets.h"
@@ -158,8 +159,6 @@ static PetscErrorCode GraphComponentsAssign_Private(Vec own, PetscInt n, const P
   const PetscScalar *result;
   Mat                shares;
   Vec                winner, mine;
-  IS                 which;
-  VecScatter         scatter;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(n, &distinct));
@@ -174,16 +173,10 @@ static PetscErrorCode GraphComponentsAssign_Private(Vec own, PetscInt n, const P
   PetscCall(GraphComponentsShare_Private(own, num, distinct, count, &shares));
   PetscCall(VecDuplicate(own, &winner));
   PetscCall(GraphComponentsElect_Private(shares, winner));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &mine));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, distinct, PETSC_USE_POINTER, &which));
-  PetscCall(VecScatterCreate(winner, which, mine, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, winner, mine, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, winner, mine, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(GatherEntries(winner, num, distinct, &mine));
   PetscCall(VecGetArrayRead(mine, &result));
   for (PetscInt i = 0; i < n; i++) rank[i] = (PetscInt)PetscRealPart(result[rank[i]]);
   PetscCall(VecRestoreArrayRead(mine, &result));
-  PetscCall(VecScatterDestroy(&scatter));
-  PetscCall(ISDestroy(&which));
   PetscCall(VecDestroy(&mine));
   PetscCall(VecDestroy(&winner));
   PetscCall(MatDestroy(&shares));

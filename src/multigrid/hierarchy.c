@@ -152,7 +152,7 @@ PetscErrorCode HierarchyCreate(HierarchyInput *input, Hierarchy *hierarchy)
     PetscCall(HierarchySetRegion_Private(&given[l]));
   }
   for (PetscInt l = 0; l < input->num; l++)
-    PetscCall(MatDestroy(&given[l].op.inverse)); // smoothers hold a reference if they need it
+    PetscCall(BasisRowsDestroy(&given[l].op.inverse)); // smoothers hold a reference if they need it
   h->num = h->first + input->num;
   PetscCall(PetscArraymove(h->level, given - h->first, h->num));
   h->bisected = input->bisected;
@@ -208,7 +208,7 @@ PetscErrorCode HierarchyExtend(Hierarchy h, PetscBool drop, PetscBool renew, con
   PetscCall(HierarchyBeginLevel_Private(&input, 1, PETSC_FALSE, top));
   PetscCall(NodeLevelsSumSquares(P, NULL, &top->weight));
   PetscCall(HierarchySetRegion_Private(top));
-  PetscCall(MatDestroy(&top->op.inverse));
+  PetscCall(BasisRowsDestroy(&top->op.inverse));
   PetscCall(HierarchySetShares_Private(h));
   h->work        = 0;
   h->num_systems = 0;

@@ -107,20 +107,6 @@ static PetscErrorCode NodeLevelsDrop_Private(Mat P, Vec open, PetscBool fixed[],
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* P := T^-1 P */
-static PetscErrorCode NodeLevelsMultiplyInverse_Private(const Operator *op, Mat *P)
-{
-  Mat product;
-
-  PetscFunctionBeginUser;
-  if (!op->inverse) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(MatMatMult(op->inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-  PetscCall(MatProductClear(product)); // it would keep its factors
-  PetscCall(MatDestroy(P));
-  *P = product;
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 /* P := T^-1 P, emptied where unknowns are fixed, and the change of P'A P. [in] was_held - displacements that
    P was empty for; [in,out] fixed - coarse unknowns; [in,out] P, Ac */
 static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const PetscBool was_held[], PetscBool fixed[],
@@ -132,7 +118,7 @@ static PetscErrorCode NodeLevelsTruncate_Private(const Operator *op, const Petsc
   PetscInt     n;
 
   PetscFunctionBeginUser;
-  PetscCall(NodeLevelsMultiplyInverse_Private(op, P));
+  PetscCall(BasisRowsMultiply(&op->inverse, NULL, P));
   PetscCall(OperatorCreateFree(op, &is));
   PetscCall(NodeLevelsDrop_Private(*P, is, fixed, &keep));
   PetscCall(MatDiagonalScale(*P, NULL, keep));

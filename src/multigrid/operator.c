@@ -20,7 +20,7 @@ PetscErrorCode OperatorDestroy(Operator *op)
   PetscCall(VecDestroy(&op->diagonal));
   PetscCall(MatDestroy(&op->S));
   PetscCall(MatDestroy(&op->T));
-  PetscCall(MatDestroy(&op->inverse));
+  PetscCall(BasisRowsDestroy(&op->inverse));
   PetscCall(MatDestroy(&op->Z));
   PetscCall(MatDestroy(&op->waves));
   PetscCall(PetscFree(op->fixed));

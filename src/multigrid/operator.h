@@ -2,7 +2,7 @@
 #ifndef MORTISE_OPERATOR_H
 #define MORTISE_OPERATOR_H
 
-#include <petscmat.h>
+#include "multigrid/basisrows.h"
 
 /* A coarse unknown is fixed if at most this part of the squares of its prolongation is free. */
 #define OPERATOR_MIN_FREE 1e-2
@@ -18,7 +18,7 @@ typedef struct {
   PetscReal stiffness;
   Mat       S;       /* products with T'KT / stiffness, of a cycle: single precision will do */
   Mat       T;       /* NULL for the identity */
-  Mat       inverse; /* of T; NULL with T, and after HierarchyCreate() */
+  BasisRows inverse; /* of T; 1 after HierarchyCreate() */
   Mat       Z;       /* (T'K T - K) / stiffness, few entries; NULL with T */
   Mat       waves;   /* y of waves: a second coarse space of a level with cells of order 1 (eq. 13.9); or NULL */
   PetscInt  num_fixed, *fixed;            /* fixed unknowns, counted from this rank's first; owned [num_fixed] */

@@ -6,6 +6,7 @@
    + W'R, and its coarse operator (R P)'(W P) + (W P)'(R P): no rows but these are multiplied. */
 #include "base/compat.h"
 #include "base/csrmatrix.h"
+#include "base/gather.h"
 #include "multigrid/fewrows.h"
 #include "multigrid/galerkin.h"
 #include "multigrid/transposedproduct.h"
@@ -64,8 +65,6 @@ static PetscErrorCode TruncationUpdateBeginStates_Private(Mat X, Vec was, Vec is
 {
   const PetscScalar *a;
   Vec                both, ghosts;
-  IS                 which;
-  VecScatter         scatter;
 
   PetscFunctionBeginUser;
   PetscCall(MatGetOwnershipRange(X, &states->begin, &states->end));
@@ -73,16 +72,10 @@ static PetscErrorCode TruncationUpdateBeginStates_Private(Mat X, Vec was, Vec is
   PetscCall(PetscMalloc1(states->num_ghosts, &states->ghost_state));
   PetscCall(VecDuplicate(was, &both));
   PetscCall(VecWAXPY(both, 2, is, was));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, states->num_ghosts, &ghosts));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, states->num_ghosts, states->ghosts, PETSC_COPY_VALUES, &which));
-  PetscCall(VecScatterCreate(both, which, ghosts, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, both, ghosts, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, both, ghosts, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(GatherEntries(both, states->num_ghosts, states->ghosts, &ghosts));
   PetscCall(VecGetArrayRead(ghosts, &a));
   PetscCall(PetscArraycpy(states->ghost_state, a, states->num_ghosts));
   PetscCall(VecRestoreArrayRead(ghosts, &a));
-  PetscCall(VecScatterDestroy(&scatter));
-  PetscCall(ISDestroy(&which));
   PetscCall(VecDestroy(&ghosts));
   PetscCall(VecDestroy(&both));
   PetscCall(VecGetArrayRead(was, &states->was));

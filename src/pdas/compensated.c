@@ -7,6 +7,7 @@
    References: [1] Ogita, Rump, Oishi, Accurate sum and dot product, 2005 (algorithm Dot2; Dekker's
    product). */
 #include "base/compat.h"
+#include "base/gather.h"
 #include "pdas/pdasimpl.h"
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
@@ -114,32 +115,12 @@ static PetscErrorCode CompensatedRows_Private(Mat A, Vec y, PetscReal sum[], Pet
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* The entries of y on other ranks that the rows need, in the order of the columns of Ao. [out] others - owned
-   by the caller */
-static PetscErrorCode CompensatedOthers_Private(Mat Ao, const PetscInt columns[], Vec y, Vec *others)
-{
-  PetscInt   n;
-  IS         from;
-  VecScatter scatter;
-
-  PetscFunctionBeginUser;
-  PetscCall(MatCreateVecs(Ao, others, NULL));
-  PetscCall(VecGetSize(*others, &n));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, n, columns, PETSC_USE_POINTER, &from));
-  PetscCall(VecScatterCreate(y, from, *others, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, y, *others, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, y, *others, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterDestroy(&scatter));
-  PetscCall(ISDestroy(&from));
-  PetscFunctionReturn(PETSC_SUCCESS);
-}
-
 PetscErrorCode CompensatedResidual(Mat A, Vec b, Vec y, Vec r)
 {
   Mat             Ad = A, Ao = NULL;
   const PetscInt *columns;
   PetscBool       shell, sequential;
-  PetscInt        n;
+  PetscInt        n, num;
   PetscScalar    *sum;
   PetscReal      *rest;
   Vec             own, others;
@@ -163,7 +144,8 @@ PetscErrorCode CompensatedResidual(Mat A, Vec b, Vec y, Vec r)
   PetscCall(VecRestoreLocalVectorRead(y, own));
   PetscCall(VecDestroy(&own));
   if (Ao) {
-    PetscCall(CompensatedOthers_Private(Ao, columns, y, &others));
+    PetscCall(MatGetLocalSize(Ao, NULL, &num));
+    PetscCall(GatherEntries(y, num, columns, &others));
     PetscCall(CompensatedRows_Private(Ao, others, sum, rest));
     PetscCall(VecDestroy(&others));
   }

@@ -2,9 +2,12 @@
 
    With T = (1 + E_0)(1 + E_1) a row of T x that another rank owns depends on rows of E_0 and E_1 there. They
    are copied once. x of all that they depend on is then one message, and T'y one in return. Factor by factor,
-   with a product of PETSc for each, there would be up to four beside that of K. */
+   with a product of PETSc for each, there would be up to four beside that of K.
+
+   T x takes the place of x: it differs in few entries, and a copy is another pass over the memory. */
 #include "problem/basisghosts.h"
 #include "base/compat.h"
+#include "base/gather.h"
 
 /* Rows of a factor E. Places are those of unknowns of this rank, then of ghosts. */
 typedef struct {
@@ -12,6 +15,7 @@ typedef struct {
   PetscInt    *start, *column; /* places; [num+1], [start[num]] */
   PetscScalar *value;          /* [start[num]] */
   PetscScalar *change;         /* of a product [num] */
+  PetscScalar *before;         /* x in these places [num] */
 } FactorRows;
 
 struct _n_BasisGhosts {
@@ -21,9 +25,9 @@ struct _n_BasisGhosts {
   PetscInt    *ghost;          /* global numbers [num] */
   PetscInt    *sorted, *which; /* the same, ascending, and their indices in ghost; while rows are made [num] */
   FactorRows   rows[BASIS_FACTORS];
-  PetscScalar *x;               /* at all places [n+num] */
-  Vec          from;            /* x of ghosts [num] */
-  VecScatter   scatter;         /* NULL on one process, as all below */
+  PetscScalar *x;    /* of ghosts [num]; NULL on one process, as all below */
+  Vec          from; /* the same */
+  VecScatter   scatter;
   PetscScalar *force;           /* what T' adds to ghosts [num] */
   PetscInt     num_back, *back; /* ghosts to which it may add, from 0 [num_back] */
   Vec          to;              /* force of these [num_back] */
@@ -62,8 +66,6 @@ static PetscErrorCode FactorRowsList_Private(const BasisGhosts g, const BasisFac
   PetscScalar       *a;
   const PetscScalar *b;
   Vec                numbers, there;
-  IS                 ghosts;
-  VecScatter         scatter;
 
   PetscFunctionBeginUser;
   PetscCall(MatCreateVecs(factor->few, &numbers, NULL));
@@ -74,11 +76,7 @@ static PetscErrorCode FactorRowsList_Private(const BasisGhosts g, const BasisFac
   for (PetscInt i = 0; i < few; i++) a[row[i]] = (PetscScalar)(begin + i + 1); // 0: no row
   PetscCall(VecRestoreArray(numbers, &a));
   PetscCall(ISRestoreIndices(factor->rows, &row));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, g->num, &there));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, g->num, g->ghost, PETSC_USE_POINTER, &ghosts));
-  PetscCall(VecScatterCreate(numbers, ghosts, there, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, numbers, there, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, numbers, there, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(GatherEntries(numbers, g->num, g->ghost, &there));
   PetscCall(PetscMalloc1(g->num, rows));
   PetscCall(PetscMalloc1(g->num, places));
   *num = 0;
@@ -89,8 +87,6 @@ static PetscErrorCode FactorRowsList_Private(const BasisGhosts g, const BasisFac
     (*places)[(*num)++] = g->n + i;
   }
   PetscCall(VecRestoreArrayRead(there, &b));
-  PetscCall(VecScatterDestroy(&scatter));
-  PetscCall(ISDestroy(&ghosts));
   PetscCall(VecDestroy(&there));
   PetscCall(VecDestroy(&numbers));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -135,7 +131,8 @@ static PetscErrorCode FactorRowsCreate_Private(const BasisGhosts g, PetscBool ot
     entries += (size_t)info.nz_used;
   }
   PetscCall(ISGetLocalSize(factor->rows, &num));
-  PetscCall(PetscMalloc3(num + met, &rows->row, num + met + 1, &rows->start, num + met, &rows->change));
+  PetscCall(PetscMalloc4(num + met, &rows->row, num + met + 1, &rows->start, num + met, &rows->change, num + met,
+                         &rows->before));
   PetscCall(PetscMalloc2(entries, &rows->column, entries, &rows->value));
   rows->start[0] = 0;
   PetscCall(MatGetOwnershipRange(factor->few, &begin, NULL));
@@ -258,12 +255,12 @@ PetscErrorCode BasisGhostsCreate(Mat K, const BasisFactor factors[], BasisGhosts
   }
   PetscCall(PetscFree(g->sorted));
   PetscCall(PetscFree(g->which));
-  PetscCall(PetscMalloc1(g->n + g->num, &g->x));
   *ghosts = g;
   if (size == 1) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(PetscMalloc1(g->num, &g->x));
   PetscCall(BasisGhostsListBack_Private(g));
   PetscCall(PetscCalloc1(g->num, &g->force));
-  PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, g->num, &g->x[g->n], &g->from));
+  PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, g->num, g->x, &g->from));
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, g->num_back, &g->to));
   PetscCall(VecCreateMPIWithArray(PetscObjectComm((PetscObject)K), 1, g->n, g->N, NULL, &x));
   PetscCall(BasisGhostsConnect_Private(g, x, g->num, NULL, g->from, &g->scatter));
@@ -285,7 +282,7 @@ PetscErrorCode BasisGhostsDestroy(BasisGhosts *ghosts)
   *ghosts = NULL;
   if (!g || --g->references) PetscFunctionReturn(PETSC_SUCCESS);
   for (int f = 0; f < BASIS_FACTORS; f++) {
-    PetscCall(PetscFree3(g->rows[f].row, g->rows[f].start, g->rows[f].change));
+    PetscCall(PetscFree4(g->rows[f].row, g->rows[f].start, g->rows[f].change, g->rows[f].before));
     PetscCall(PetscFree2(g->rows[f].column, g->rows[f].value));
   }
   PetscCall(VecDestroy(&g->from));
@@ -300,38 +297,61 @@ PetscErrorCode BasisGhostsDestroy(BasisGhosts *ghosts)
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* Copies x to all places. */
-static PetscErrorCode BasisGhostsSpread_Private(BasisGhosts g, Vec x)
+/* Collective. */
+static PetscErrorCode BasisGhostsGet_Private(BasisGhosts g, Vec x)
 {
-  const PetscScalar *own;
-
   PetscFunctionBeginUser;
-  if (g->scatter) PetscCall(VecScatterBegin(g->scatter, x, g->from, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGetArrayRead(x, &own));
-  PetscCall(PetscArraycpy(g->x, own, g->n));
-  PetscCall(VecRestoreArrayRead(x, &own));
-  if (g->scatter) PetscCall(VecScatterEnd(g->scatter, x, g->from, INSERT_VALUES, SCATTER_FORWARD));
+  if (!g->scatter) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(VecScatterBegin(g->scatter, x, g->from, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(g->scatter, x, g->from, INSERT_VALUES, SCATTER_FORWARD));
   PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* The value at a place. [in] own - of x [n] */
+static inline PetscScalar *BasisGhostsAt_Private(const BasisGhosts g, PetscScalar own[], PetscInt place)
+{
+  return place < g->n ? &own[place] : &g->x[place - g->n];
 }
 
 PetscErrorCode BasisGhostsMult(BasisGhosts g, Vec x, const PetscScalar **own, const PetscScalar **others)
 {
+  PetscScalar *a;
+
   PetscFunctionBeginUser;
-  PetscCall(BasisGhostsSpread_Private(g, x));
+  PetscCall(BasisGhostsGet_Private(g, x));
+  PetscCall(VecGetArrayRead(x, own));
+  a = (PetscScalar *)*own;
   for (int f = BASIS_FACTORS - 1; f >= 0; f--) {
     const FactorRows *rows = &g->rows[f];
 
     for (PetscInt i = 0; i < rows->num; i++) {
       PetscScalar sum = 0;
 
-      for (PetscInt j = rows->start[i]; j < rows->start[i + 1]; j++) sum += rows->value[j] * g->x[rows->column[j]];
+      for (PetscInt j = rows->start[i]; j < rows->start[i + 1]; j++)
+        sum += rows->value[j] * *BasisGhostsAt_Private(g, a, rows->column[j]);
       rows->change[i] = sum;
     }
-    for (PetscInt i = 0; i < rows->num; i++) g->x[rows->row[i]] += rows->change[i];
+    for (PetscInt i = 0; i < rows->num; i++) {
+      PetscScalar *at = BasisGhostsAt_Private(g, a, rows->row[i]);
+
+      rows->before[i] = *at;
+      *at += rows->change[i];
+    }
     PetscCall(PetscLogFlops(2.0 * rows->start[rows->num] + rows->num));
   }
-  *own    = g->x;
-  *others = &g->x[g->n];
+  *others = g->x;
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode BasisGhostsRestore(BasisGhosts g, Vec x, const PetscScalar **own)
+{
+  PetscScalar *a = (PetscScalar *)*own;
+
+  PetscFunctionBeginUser;
+  for (int f = 0; f < BASIS_FACTORS; f++)
+    for (PetscInt i = 0; i < g->rows[f].num; i++)
+      *BasisGhostsAt_Private(g, a, g->rows[f].row[i]) = g->rows[f].before[i];
+  PetscCall(VecRestoreArrayRead(x, own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
@@ -373,22 +393,21 @@ PetscErrorCode BasisGhostsMultTranspose(BasisGhosts g, Vec y)
 
 PetscErrorCode BasisGhostsReach(BasisGhosts g, Vec region)
 {
-  PetscScalar *a;
+  PetscScalar *own;
 
   PetscFunctionBeginUser;
-  PetscCall(BasisGhostsSpread_Private(g, region));
+  PetscCall(BasisGhostsGet_Private(g, region));
+  PetscCall(VecGetArray(region, &own));
   for (int f = BASIS_FACTORS - 1; f >= 0; f--) {
     const FactorRows *rows = &g->rows[f];
 
     for (PetscInt i = 0; i < rows->num; i++) {
-      rows->change[i] = g->x[rows->row[i]];
+      rows->change[i] = *BasisGhostsAt_Private(g, own, rows->row[i]);
       for (PetscInt j = rows->start[i]; j < rows->start[i + 1]; j++)
-        if (g->x[rows->column[j]] != 0) rows->change[i] = 1;
+        if (*BasisGhostsAt_Private(g, own, rows->column[j]) != 0) rows->change[i] = 1;
     }
-    for (PetscInt i = 0; i < rows->num; i++) g->x[rows->row[i]] = rows->change[i];
+    for (PetscInt i = 0; i < rows->num; i++) *BasisGhostsAt_Private(g, own, rows->row[i]) = rows->change[i];
   }
-  PetscCall(VecGetArrayWrite(region, &a));
-  PetscCall(PetscArraycpy(a, g->x, g->n));
-  PetscCall(VecRestoreArrayWrite(region, &a));
+  PetscCall(VecRestoreArray(region, &own));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -17,10 +17,12 @@ void BasisGhostsReference(BasisGhosts ghosts);
 /* NULL is accepted. Collective. */
 PetscErrorCode BasisGhostsDestroy(BasisGhosts *ghosts);
 
-/* T x. Collective.
-   [out] own, others - of unknowns of this rank, and of the ghosts of K; borrowed until the next call of
-   BasisGhostsMult() or BasisGhostsReach() */
+/* T x, in the place of x until BasisGhostsRestore(). Collective.
+   [in,out] x - may be locked for reading, as the argument of a product is;
+   [out] own, others - of unknowns of this rank, and of the ghosts of K; borrowed as long */
 PetscErrorCode BasisGhostsMult(BasisGhosts ghosts, Vec x, const PetscScalar **own, const PetscScalar **others);
+/* x again, bit by bit. Not collective. [in] own - of BasisGhostsMult(); NULL afterwards */
+PetscErrorCode BasisGhostsRestore(BasisGhosts ghosts, Vec x, const PetscScalar **own);
 /* y <- T'y. Collective. [in,out] y */
 PetscErrorCode BasisGhostsMultTranspose(BasisGhosts ghosts, Vec y);
 /* Adds to a region all that T moves by it. Collective. [in,out] region - not 0 at unknowns in it */

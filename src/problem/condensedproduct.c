@@ -21,6 +21,7 @@ static PetscErrorCode Mult_CondensedProduct(Mat P, Vec x, Vec y)
   PetscCall(VecGetArrayWrite(y, &a));
   PetscCall(StiffnessMultLocal(p->S, own, others, a));
   PetscCall(VecRestoreArrayWrite(y, &a));
+  PetscCall(BasisGhostsRestore(p->basis, x, &own));
   PetscCall(BasisGhostsMultTranspose(p->basis, y));
   PetscFunctionReturn(PETSC_SUCCESS);
 }

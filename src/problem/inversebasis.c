@@ -1,4 +1,4 @@
-/* inversebasis.c -- T^-1 as a matrix, for the prolongation of displacements between the unknowns y of two
+/* inversebasis.c -- the rows of T^-1, for the prolongation of displacements between the unknowns y of two
    levels.
 
    y = T^-1 u needs no series. With u~ = S^-1 u (eq. 6.1), unknowns of multipliers are (B u)_row / D_row, the
@@ -84,26 +84,47 @@ static PetscErrorCode InverseRowsAdd_Private(InverseRows *rows, PetscInt node, P
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse)
+/* Whether a row of T^-1 is not that of 1. */
+static PetscErrorCode InverseRowsNeed_Private(const InverseRows *rows, PetscInt i, PetscBool *need)
+{
+  const PetscInt dim = rows->vi->level->dim;
+  PetscInt       num;
+
+  PetscFunctionBeginUser;
+  *need = (PetscBool)(rows->row[i] >= 0 || rows->vi->basis->bases.of_node[i / dim] >= 0);
+  if (*need || !rows->unshift) PetscFunctionReturn(PETSC_SUCCESS);
+  PetscCall(MatGetRow(rows->unshift, dim * rows->vi->level->node_begin + i, &num, NULL, NULL));
+  *need = (PetscBool)(num > 0);
+  PetscCall(MatRestoreRow(rows->unshift, dim * rows->vi->level->node_begin + i, &num, NULL, NULL));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+PetscErrorCode VICreateInverseBasis(VI vi, BasisRows *inverse)
 {
   const PetscInt dim = vi->level->dim, n = dim * vi->level->num_owned;
   InverseRows    rows  = {.vi = vi, .unshift = vi->basis->couplings.unshift};
-  PetscInt       begin = 0, *start;
+  PetscInt       begin = 0, num = 0, *start, *place;
 
   PetscFunctionBeginUser;
-  *inverse = NULL;
+  PetscCall(PetscArrayzero(inverse, 1));
   if (!vi->T) PetscFunctionReturn(PETSC_SUCCESS);
-  PetscCall(PetscMalloc2(n, &rows.row, n + 1, &start));
+  PetscCall(PetscMalloc3(n, &rows.row, n + 1, &start, n, &place));
   for (PetscInt i = 0; i < n; i++) rows.row[i] = -1;
   if (vi->B) PetscCall(MatGetOwnershipRange(vi->B, &begin, NULL));
   for (PetscInt r = 0; r < vi->num_rows; r++) rows.row[vi->row_dof[r] - dim * vi->level->node_begin] = begin + r;
   start[0] = 0;
   for (PetscInt i = 0; i < n; i++) {
+    PetscBool need;
+
+    PetscCall(InverseRowsNeed_Private(&rows, i, &need));
+    if (!need) continue;
     PetscCall(InverseRowsAdd_Private(&rows, i / dim, i % dim));
-    start[i + 1] = rows.num;
+    place[num++] = i;
+    start[num]   = rows.num;
   }
-  PetscCall(CSRMatrixCreate(vi->level->comm, &(CSRRows){1, n, n, start, rows.column, rows.value}, inverse));
-  PetscCall(PetscFree2(rows.row, start));
+  PetscCall(CSRMatrixCreate(vi->level->comm, &(CSRRows){1, num, n, start, rows.column, rows.value}, &inverse->few));
+  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, place, PETSC_COPY_VALUES, &inverse->rows));
+  PetscCall(PetscFree3(rows.row, start, place));
   PetscCall(PetscFree(rows.column));
   PetscCall(PetscFree(rows.value));
   PetscFunctionReturn(PETSC_SUCCESS);

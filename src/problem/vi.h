@@ -11,6 +11,7 @@
 
 #include "contact/pair.h"
 #include "mesh/mesh.h"
+#include "multigrid/basisrows.h"
 #include "support/rigidmodes.h"
 #include "pdas/friction.h"
 
@@ -99,8 +100,8 @@ PetscErrorCode VICreateRegularized(VI vi, Vec regularization, Mat *A);
    [in] regularization - diagonal to be added, or NULL; [out] A - owned by the caller */
 PetscErrorCode VICreateUntied(VI vi, PetscInt p, Vec regularization, Mat *A);
 /* T^-1, as sparse as B: its rows are those of B and of the nodes' frames. Collective.
-   [out] inverse - owned by the caller; NULL where T is the identity */
-PetscErrorCode VICreateInverseBasis(VI vi, Mat *inverse);
+   [out] inverse - to be released by BasisRowsDestroy() */
+PetscErrorCode VICreateInverseBasis(VI vi, BasisRows *inverse);
 /* y = T^-1 u, without that matrix. Collective. [in] u - ghosts are not needed */
 PetscErrorCode VIApplyInverseBasis(VI vi, Vec u, Vec y);
 /* Marks nodes whose unknowns are their Cartesian displacements. Not collective.

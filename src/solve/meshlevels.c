@@ -39,22 +39,10 @@ static PetscErrorCode MeshLevelsCreateLift_Private(VI coarse, VI fine, Mat P, co
    displacements; [out] lift - of MeshLevelsCreateLift_Private() */
 static PetscErrorCode MeshLevelsCreateProlongation_Private(VI coarse, VI fine, const Operator op[2], Mat *P, Vec *lift)
 {
-  Mat blocks, product;
   Vec free[2];
 
   PetscFunctionBeginUser;
-  if (coarse->T) {
-    blocks = *P;
-    PetscCall(MatMatMult(blocks, coarse->T, MAT_INITIAL_MATRIX, PETSC_DEFAULT, P));
-    PetscCall(MatProductClear(*P)); // it would keep its factors
-    PetscCall(MatDestroy(&blocks));
-  }
-  if (op[1].inverse) {
-    PetscCall(MatMatMult(op[1].inverse, *P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &product));
-    PetscCall(MatProductClear(product));
-    PetscCall(MatDestroy(P));
-    *P = product;
-  }
+  PetscCall(BasisRowsMultiply(&op[1].inverse, coarse->T, P));
   PetscCall(OperatorCreateFree(&op[1], &free[0]));
   PetscCall(OperatorCreateFree(&op[0], &free[1]));
   PetscCall(MeshLevelsCreateLift_Private(coarse, fine, *P, free, lift));

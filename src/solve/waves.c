@@ -125,7 +125,7 @@ static PetscErrorCode WavesFinish_Private(const Operator *op, Level *level, Mat 
   if (op->T) {
     PetscCall(WavesCreateStill_Private(op, level, &still));
     PetscCall(WavesMultiply_Private(still, waves));
-    PetscCall(WavesMultiply_Private(op->inverse, waves));
+    PetscCall(BasisRowsMultiply(&op->inverse, NULL, waves));
     PetscCall(MatDestroy(&still));
   }
   PetscCall(OperatorCreateFree(op, &free));

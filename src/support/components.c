@@ -1,6 +1,7 @@
 /* components.c -- components of bodies. Sets of nodes are united cell by cell on every rank. Then ranks
    exchange the sets of common nodes until nothing changes. */
 #include "base/compat.h"
+#include "base/gather.h"
 #include "level/ghosted.h"
 #include "support/components.h"
 #include "kernel/disjointsets.h"
@@ -180,8 +181,6 @@ PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *component
   PetscScalar       *values;
   const PetscScalar *found;
   Vec                all, some;
-  VecScatter         scatter;
-  IS                 where;
 
   PetscFunctionBeginUser;
   PetscCall(PetscMalloc1(num, &asked));
@@ -190,16 +189,11 @@ PetscErrorCode ComponentsOfGlobalNodes(Level *level, const Components *component
   PetscCall(VecGetArray(all, &values));
   for (PetscInt a = 0; a < level->num_owned; a++) values[a] = (PetscReal)components->of_node[a];
   PetscCall(VecRestoreArray(all, &values));
-  PetscCall(VecCreateSeq(PETSC_COMM_SELF, num, &some));
-  PetscCall(ISCreateGeneral(PETSC_COMM_SELF, num, asked, PETSC_OWN_POINTER, &where));
-  PetscCall(VecScatterCreate(all, where, some, NULL, &scatter));
-  PetscCall(VecScatterBegin(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, all, some, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(GatherEntries(all, num, asked, &some));
+  PetscCall(PetscFree(asked));
   PetscCall(VecGetArrayRead(some, &found));
   for (PetscInt i = 0; i < num; i++) component[i] = nodes[i] < 0 ? -1 : (PetscInt)PetscRealPart(found[i]);
   PetscCall(VecRestoreArrayRead(some, &found));
-  PetscCall(VecScatterDestroy(&scatter));
-  PetscCall(ISDestroy(&where));
   PetscCall(VecDestroy(&some));
   PetscCall(VecDestroy(&all));
   PetscFunctionReturn(PETSC_SUCCESS);

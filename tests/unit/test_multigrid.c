@@ -107,24 +107,43 @@ static PetscReal Difference(Vec x, Vec y)
   return norm;
 }
 
-/* T^-1 T x = x */
+/* T^-1 P T x for P = 1 and K, by the product's matrix and factor by factor. */
 static void TestInverse(VI vi)
 {
-  Mat inverse;
-  Vec x, Tx, back;
+  BasisRows inverse;
+  PetscInt  num, n;
+  Vec       x, Tx, PTx, back, direct;
+  Mat       P[2];
 
   CHECK(!VICreateInverseBasis(vi, &inverse));
-  CHECK(inverse && vi->T);
+  CHECK(inverse.few && vi->T);
+  CHECK(!MatGetLocalSize(vi->T, &n, NULL));
+  CHECK(!ISGetLocalSize(inverse.rows, &num));
+  CHECK(num < n);
   CHECK(!MatCreateVecs(vi->K, &x, &Tx));
+  CHECK(!VecDuplicate(x, &PTx));
   CHECK(!VecDuplicate(x, &back));
+  CHECK(!VecDuplicate(x, &direct));
   Fill(x);
   CHECK(!MatMult(vi->T, x, Tx));
-  CHECK(!MatMult(inverse, Tx, back));
+  CHECK(!MatDuplicate(vi->T, MAT_COPY_VALUES, &P[0]));
+  CHECK(!BasisRowsMultiply(&inverse, NULL, &P[0])); // 1 T
+  CHECK(!MatMult(P[0], x, back));
   CHECK_NEAR(Difference(back, x), 0, ROUNDING);
+  CHECK(!MatConvert(vi->K, MATAIJ, MAT_INITIAL_MATRIX, &P[1]));
+  CHECK(!MatScale(P[1], 1 / vi->stiffness));
+  CHECK(!MatMult(P[1], Tx, PTx));
+  CHECK(!VIApplyInverseBasis(vi, PTx, direct));
+  CHECK(!BasisRowsMultiply(&inverse, vi->T, &P[1]));
+  CHECK(!MatMult(P[1], x, back));
+  CHECK_NEAR(Difference(back, direct), 0, 100 * ROUNDING);
+  for (PetscInt i = 0; i < 2; ++i) CHECK(!MatDestroy(&P[i]));
   CHECK(!VecDestroy(&x));
   CHECK(!VecDestroy(&Tx));
+  CHECK(!VecDestroy(&PTx));
   CHECK(!VecDestroy(&back));
-  CHECK(!MatDestroy(&inverse));
+  CHECK(!VecDestroy(&direct));
+  CHECK(!BasisRowsDestroy(&inverse));
 }
 
 /* Products with the shell, its diagonal, and both with springs, against the matrix, and that against T'KT. */
