@@ -126,8 +126,8 @@ static PetscErrorCode FrictionFloorsSetHeld_Private(Fields fields, PetscInt p, F
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* At owned nodes of a side: slip, and whether it is in contact. Collective.
-   [out] slips - ghosted, dim + 1 per node, owned by the caller;
+/* At owned nodes of a side: slip, whether it is in contact, and the work of friction on it. Collective.
+   [out] slips - ghosted, dim + 2 per node, owned by the caller;
    [out] largest - slip in contact, of all ranks */
 static PetscErrorCode FrictionFloorsCreateSlips_Private(Fields fields, PetscInt p, Vec *slips, PetscReal *largest)
 {
@@ -139,18 +139,20 @@ static PetscErrorCode FrictionFloorsCreateSlips_Private(Fields fields, PetscInt 
 
   PetscFunctionBeginUser;
   *largest = 0;
-  PetscCall(LevelCreateVec(vi->level, dim + 1, slips));
+  PetscCall(LevelCreateVec(vi->level, dim + 2, slips));
   PetscCall(PetscMalloc2(n * dim, &traction, n * dim, &slip));
   PetscCall(FrictionFieldsGet(fields, p, traction, slip));
   PetscCall(VecGetArray(*slips, &a));
   for (PetscInt i = 0; i < n; i++)
-    for (PetscInt k = 0; k < dim; k++) a[i * (dim + 1) + k] = slip[i * dim + k];
+    for (PetscInt k = 0; k < dim; k++) a[i * (dim + 2) + k] = slip[i * dim + k];
   for (PetscInt r = 0; r < vi->num_rows; r++) {
     const PetscInt i = pair->nodes[vi->row_node[r]];
 
     if (vi->row_pair[r] != p || vi->row_direction[r] || !StatusIsContact(fields->row_status[r])) continue;
-    a[i * (dim + 1) + dim] = 1;
-    *largest               = PetscMax(*largest, VectorNorm(dim, &slip[i * dim]));
+    a[i * (dim + 2) + dim] = 1;
+    a[i * (dim + 2) + dim + 1] =
+        fields->row_weight[r] * PetscAbsReal(VectorDot(dim, &traction[i * dim], &slip[i * dim]));
+    *largest = PetscMax(*largest, VectorNorm(dim, &slip[i * dim]));
   }
   PetscCall(VecRestoreArray(*slips, &a));
   PetscCall(PetscFree2(traction, slip));
@@ -159,27 +161,28 @@ static PetscErrorCode FrictionFloorsCreateSlips_Private(Fields fields, PetscInt 
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-/* How much slip differs on a facet from its largest one, where that is the largest of all in contact and
-   contact ends on the facet. [in] a - of FrictionFloorsCreateSlips_Private(); num - nodes of the facet */
-static PetscReal FrictionFloorsGetChange_Private(PetscInt dim, const PetscScalar a[], PetscInt num,
-                                                 const PetscInt nodes[], PetscReal largest)
+/* Where contact ends on a facet: how much slip differs on it from the largest one of all, if it has
+   that; and half of its work. [in] a - of FrictionFloorsCreateSlips_Private(); num - nodes of the facet */
+static void FrictionFloorsAddEnd_Private(PetscInt dim, const PetscScalar a[], PetscInt num, const PetscInt nodes[],
+                                         PetscReal largest, PetscReal *slip, PetscReal *work)
 {
-  const PetscScalar *peak   = NULL;
-  PetscBool          open   = PETSC_FALSE;
-  PetscReal          change = 0;
+  const PetscScalar *peak = NULL;
+  PetscBool          open = PETSC_FALSE;
+  PetscReal          sum  = 0;
 
   for (PetscInt i = 0; i < num; i++) {
-    const PetscScalar *at = &a[nodes[i] * (dim + 1)];
+    const PetscScalar *at = &a[nodes[i] * (dim + 2)];
 
     open = (PetscBool)(open || at[dim] == 0);
+    sum += at[dim + 1] / 2;
     if (at[dim] != 0 && VectorNorm(dim, at) >= largest) peak = at;
   }
+  if (open) *work += sum;
   for (PetscInt i = 0; i < num && peak && open; i++) {
-    const PetscScalar *at = &a[nodes[i] * (dim + 1)];
+    const PetscScalar *at = &a[nodes[i] * (dim + 2)];
 
-    if (!PetscIsNanReal(at[0])) change = PetscMax(change, VectorDistance(dim, at, peak));
+    if (!PetscIsNanReal(at[0])) *slip = PetscMax(*slip, END_FACETS * VectorDistance(dim, at, peak));
   }
-  return change;
 }
 
 /* Where slip is largest at an end of contact. Collective. */
@@ -187,7 +190,7 @@ static PetscErrorCode FrictionFloorsSetEnd_Private(Fields fields, PetscInt p, Fr
 {
   const Facets      *facets = &fields->vi->pairs[p]->points->facets;
   const PetscScalar *a;
-  PetscReal          largest, end = 0;
+  PetscReal          largest, slip = 0, work = 0;
   Vec                slips, local;
 
   PetscFunctionBeginUser;
@@ -195,14 +198,15 @@ static PetscErrorCode FrictionFloorsSetEnd_Private(Fields fields, PetscInt p, Fr
   PetscCall(VecGhostGetLocalForm(slips, &local));
   PetscCall(VecGetArrayRead(local, &a));
   for (PetscInt f = 0; f < facets->num; f++)
-    end = PetscMax(end, END_FACETS * FrictionFloorsGetChange_Private(fields->vi->level->dim, a,
-                                                                     ElementNumNodes(facets->type[f]),
-                                                                     &facets->nodes[f * F], largest));
+    FrictionFloorsAddEnd_Private(fields->vi->level->dim, a, ElementNumNodes(facets->type[f]), &facets->nodes[f * F],
+                                 largest, &slip, &work);
   PetscCall(VecRestoreArrayRead(local, &a));
   PetscCall(VecGhostRestoreLocalForm(slips, &local));
   PetscCall(VecDestroy(&slips));
-  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &end, 1, MPIU_REAL, MPI_MAX, fields->vi->level->comm));
-  floors->slip = PetscMax(floors->slip, end);
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &slip, 1, MPIU_REAL, MPI_MAX, fields->vi->level->comm));
+  PetscCallMPI(MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPIU_REAL, MPI_SUM, fields->vi->level->comm));
+  floors->slip = PetscMax(floors->slip, slip);
+  if (slip > 0) floors->work = work;
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 

@@ -41,6 +41,8 @@ mortise_scene_test(parabola_half SCENE r4b CHECK parabola_half.py RANKS 1 ARGS -
 mortise_scene_test(axis CHECK axis.py RANKS 1 3)
 mortise_scene_test(stamp CHECK stamp.py RANKS 1 LONG_RANKS 3)
 mortise_scene_test(slips SCENE greco CHECK slips.py RANKS 1 LONG_RANKS 3 ARGS -adapt 2.5e-3 -block_dm_plex_box_faces 8,8)
+mortise_scene_test(rubbed SCENE hertz_axisymmetric CHECK rubbed.py OWN_RUNS RANKS 1 LONG_RANKS 3 ARGS -adapt 1e-7 -adapt_max_meshes 6
+  -sphere_dm_plex_box_faces 6,5 -block_dm_plex_box_faces 8,6 -joint_friction 0.1)
 mortise_scene_test(narrow SCENE r4b CHECK narrow.py RANKS 1 LONG_RANKS 3 ARGS -order 2 -joint_obstacle_gap "(x-0.25)^2/2-0.0025")
 mortise_scene_test(beside CHECK beside.py RANKS 1)
 mortise_scene_test(bounded SCENE r4b CHECK bounded.py RANKS 1 ARGS -order 2 -adapt 4e-2 -joint_obstacle_gap "(x-0.13)^2/2-0.01")
