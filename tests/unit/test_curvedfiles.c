@@ -142,8 +142,8 @@ static void TestOwnRefinement(PetscInt order)
   TestSceneInit(&t);
   AddDisc(&t, "upper", DiscFile[4], "upper", order)->refine = 2;
   mesh                                                      = TestSceneMesh(&t);
-  CheckRim(&t, &mesh->levels[0], 0, 2 * NUM_ARCS);
-  if (order > 1) CHECK_NEAR(BodyArea(&mesh->levels[0], 0), 0.5 * ParabolaArea(), Precision);
+  CheckRim(&t, MeshFinest(mesh), 0, 2 * NUM_ARCS);
+  if (order > 1) CHECK_NEAR(BodyArea(MeshFinest(mesh), 0), 0.5 * ParabolaArea(), Precision);
   CHECK(!MeshDestroy(&mesh));
   TestSceneFree(&t);
 }
