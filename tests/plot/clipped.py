@@ -25,3 +25,7 @@ def judge(run):
     for name in summary["scene"]["bodies"]:
         require(name in [text for text, _ in words_of(figure)], f"the picture does not name {name}")
     require_tidy(figure, "the whole picture")
+    figure, axes = plt.subplots(figsize=(3, 4), layout="constrained")
+    axes.set_title("floor: 119 of 1218 nodes in contact, normal force 143.681 N", fontsize=10)
+    plot.break_titles(figure)
+    require_tidy(figure, "a long title")
