@@ -39,7 +39,7 @@ PetscErrorCode YieldingCreate(Fields fields, Vec *v)
 
   PetscFunctionBeginUser;
   *v = NULL;
-  if (!fields->solver || vi->friction) PetscFunctionReturn(PETSC_SUCCESS);
+  if (!fields->solver) PetscFunctionReturn(PETSC_SUCCESS);
   PetscCall(VecDuplicate(fields->y, &b));
   PetscCall(VecDuplicate(fields->y, &z));
   PetscCall(YieldingLoad_Private(fields, b));

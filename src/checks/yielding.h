@@ -7,8 +7,7 @@
 /* v with a(v, w) = -int 1/2 H'H : C eps(w), H = grad u, for all w that keep the active constraints. Of
    1/2 H'H only the part 1/2 H'H + eps(v) strains the bodies (eq. 11.5a). Collective.
    [in] fields - of a solution;
-   [out] v - ghosted, dim per node, owned by the caller; NULL where friction, or a failure, leaves it
-   unknown */
+   [out] v - ghosted, dim per node, owned by the caller; NULL where a failure leaves it unknown */
 PetscErrorCode YieldingCreate(Fields fields, Vec *v);
 
 #endif

@@ -125,7 +125,7 @@ static PetscErrorCode DualSolveAnew_Private(SolverContext *context, Vec y, Petsc
   const char       *failure;
 
   PetscFunctionBeginUser;
-  PetscCall(ActiveSetCreate(inequality->upper, inequality->A, &set));
+  PetscCall(ActiveSetCreateWithTangents(inequality->upper, inequality->A, inequality->vi->friction, &set));
   PetscCall(LinearReferenceSetActive(inequality->vi, y, &set));
   PetscCall(PDASCreateSolver(context->snes, &set, inequality->A, inequality->b, DUAL_RTOL, &solver, &failure));
   *solved = (PetscBool)!failure;
