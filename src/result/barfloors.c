@@ -19,7 +19,7 @@
 
 enum { F = ELEMENT_MAX_FACET_NODES };
 
-/* Measured (tests/bench/README.md): with them 95 per cent of all bars hold. The factor of a body is larger:
+/* Measured (tests/bench/bars.md): with them 95 per cent of all bars hold. The factor of a body is larger:
    recovery finds half of the error of a body that is never refined, a quarter of its square. */
 static const PetscReal WHOLE_FACTOR = 2, BODY_FACTOR = 6, LOCAL_FACTOR = 3;
 
