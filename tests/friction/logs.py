@@ -36,7 +36,9 @@ def judge(run):
     floors, joints = judge_heap(run, heavy, 1e-6)
     near("friction on the floor", [floors[0]["tangential_force"][0], -floors[1]["tangential_force"][0]], [friction] * 2, relative=1e-5)
     near("friction of the upper log", [along(joints[0], -30), along(joints[1], -150)], [friction] * 2, relative=1e-5)
-    require(run.stderr.count("nor the friction that holds bodies there") == 2, run.stderr)
+    require(run.stderr.count("nor the friction that holds bodies there") == 4, run.stderr)
+    sagitta = 1 - math.cos(math.pi / FACETS)  # a vertex of the polygon is on the circle, the middle of an edge is not
+    require(run.stderr.count(f"may touch by {sagitta:.2g} too early") == 2 and run.stderr.count(f"may touch by {2 * sagitta:.2g} too early") == 2, run.stderr)
     words = [f"-{name}_dm_plex_box_faces" for name in ("left", "right", "top")]
     edges = run.again(*(word for name in words for word in (name, f"{ON_EDGES},4")), name="edges")
     heavy = weight(ON_EDGES)

@@ -24,6 +24,8 @@ EXCEPT = {
     "punch_axisymmetric": (1, "degenerate or tangled cell of order 2 after its map"),  # cells graded by a square and a cube
     "slab_punch": (3, "the active set still changed after -snes_max_it iterations"),  # multipliers of order 2 on a side 1e6 times stiffer
 }
+# Nodes of both halves of the hole touch on finer meshes. The directions of their gaps meet in two points .02 apart, which holds the pin in linear theory.
+FINER = {"pin_with_play": "solvable"}
 # The couple of these links ends as a concentrated force at the ends of the tie (THEORY 5): the error stalls, and the warning says why.
 UNLIMITED, STALLED, WHY = ["tie_across_gap"], "twice the unknowns have hardly lowered it", "the links exert concentrated forces"
 
@@ -51,7 +53,7 @@ def judge(program, folder, files):
     else:
         same("exit code", code, int(head["exit"]))
     if code != 1:
-        same("verdict", summary["solvability"]["verdict"], head["verdict"])
+        same("verdict", summary["solvability"]["verdict"], FINER.get(case, head["verdict"]))
     if head["exit"] == "0":
         require(summary["solver"]["certified"], f"not certified: {stderr}")
         require(summary["estimate"]["meshes"] and (code == 3) == (summary["estimate"]["energy_norm_relative"] > 0.05), "the estimate is another verdict")
