@@ -20,8 +20,11 @@ static const PetscReal ROUND = 0.01;
 /* The width of an ellipse over the root of the second moment of its area, per area. */
 static const PetscReal ELLIPSE_WIDTH = 4;
 /* A patch in space is a bent strip if it fills less than this part of the ellipse with the same second
-   moments. A rectangle fills 0.95 of it, a ring of radii r < R fills (R^2 - r^2) / (R^2 + r^2). */
-static const PetscReal BENT_FILL = 0.5;
+   moments. A rectangle fills 0.95 of it, a ring of radii r < R fills (R^2 - r^2) / (R^2 + r^2). The moments
+   are those of points, and too large where nodes are few: of one in a corner it fills 0.32, of three there
+   0.49. So fewer than BENT_NODES do not tell. */
+static const PetscReal BENT_FILL = 0.4;
+enum { BENT_NODES = 4 };
 /* Forces, or places, that differ by less than this part come in the same order on any number of ranks. */
 static const PetscReal SAME_PATCH = 1e-9;
 
@@ -335,7 +338,8 @@ static void PatchSetAxes_Private(PetscInt dim, const PetscReal sums[], ContactPa
   }
   first        = values[order[0]];
   second       = values[order[1]];
-  patch->bent  = (PetscBool)(dim == 3 && patch->area < BENT_FILL * 4 * PETSC_PI * PetscSqrtReal(first * second));
+  patch->bent  = (PetscBool)(dim == 3 && patch->nodes >= BENT_NODES &&
+                            patch->area < BENT_FILL * 4 * PETSC_PI * PetscSqrtReal(first * second));
   patch->width = 0;
   if (dim == 3 && first - second < ROUND * first) { /* any axis across the third: the one nearest to a coordinate's */
     PetscReal      n[3], dot;
