@@ -24,10 +24,11 @@ static const PetscReal FEW = 3.25;
    / (12 a^2) below the maximum of Hertz's ellipse: 0.1 % with eight facets. The half width is known to h / 2:
    then the largest pressure of a given force is right to 6 %. */
 static const PetscReal ADVISED = 8;
-/* Directions nearer than 45 degrees to the narrow axis of a patch are across it. In space an end is at a
-   plane of symmetry where a support fixes a direction across the boundary of the side. A patch in the corner
-   of two planes has its axes between them. Supports across the side leave no multiplier. */
-static const PetscReal ACROSS = 0.70710678118654752;
+/* Directions of at most 45 degrees to the narrow axis of a patch are across it, and half a degree more for
+   curved facets. In space an end is at a plane of symmetry where a support fixes a direction across the
+   boundary of the side. A patch in the corner of two planes has its axes between them, or along them.
+   Supports across the side leave no multiplier. */
+static const PetscReal ACROSS = 0.7;
 /* The mortar side is larger if it is so by more than this part of a facet. Curved sides that end together
    differ by less. */
 static const PetscReal BEYOND_PART = 0.1;
@@ -87,7 +88,7 @@ static void CoarseContactAddVertex_Private(const Support *support, PetscInt node
   }
   length = PetscSqrtReal(length);
   if (!SideCornersIsEnd(dim, way, patch->facet_size)) return;
-  if (dim == 3 && PetscAbsReal(along) > ACROSS * length) return; // the side goes on across the patch
+  if (dim == 3 && !mirrored && PetscAbsReal(along) > ACROSS * length) return; // the side goes on across the patch
   for (PetscInt j = 0; j < support->count[node]; j++) {
     const PetscReal *d    = &support->directions[(node * dim + j) * dim];
     PetscReal        part = 0; // of the boundary's direction
